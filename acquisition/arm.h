@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace artcal {
+
+/// How four numbers place one joint's frame after the one before.
+///
+/// Standard (Denavit, Hartenberg 1955; Gao 2013 Eq. 1):
+///     T(i-1,i) = Rz(θi + sign·qi) · Tz(di) · Tx(ai) · Rx(αi) · Ry(βi)
+/// Modified (Craig 1986), where a and alpha are those of the link before, a(i-1) and α(i-1):
+///     T(i-1,i) = Rx(α(i-1)) · Tx(a(i-1)) · Ry(β(i-1)) · Rz(θi + sign·qi) · Tz(di)
+/// β is Hayati's angle for neighbouring axes that are nearly parallel, where d does not exist as a
+/// smooth function of the axes; it is zero unless the joint is told to have it.
+enum class Convention { Standard, Modified };
+
+/// One revolute joint. Lengths in mm, angles in rad.
+struct Joint {
+  double a = 0.0;
+  double d = 0.0;
+  double theta = 0.0;  ///< offset of the encoder's zero
+  double alpha = 0.0;
+  double beta = 0.0;
+  double sign = 1.0;      ///< +1, or -1 where the encoder counts against the axis
+  bool has_beta = false;  ///< β is a parameter of this joint
+};
+
+/// What is mounted on the last joint. `tip_in_last` is the centre of the tip ball (or the point of a
+/// pointed tip) in the last joint's frame, mm.
+struct Probe {
+  std::string name = "probe";
+  Eigen::Vector3d tip_in_last = Eigen::Vector3d::Zero();
+  double radius = 0.0;   ///< of the tip ball, mm
+  bool on_axis = false;  ///< stated as `l`: the tip lies on the last frame's z axis, lx = ly = 0
+};
+
+/// More joints than any arm has; what walks along an arm keeps its frames on the stack.
+inline constexpr int max_joints = 24;
+
+/// An arm of 1 to max_joints revolute joints, with one or several probes. It is data: algorithms read it.
+struct Arm {
+  std::string name;
+  Convention convention = Convention::Standard;
+  std::vector<Joint> joints;
+  std::vector<Probe> probes;
+};
+
+/// The length of the arm stretched out, from its first axis to the tip of its longest probe: the sum of
+/// |a| and |d| after the first joint's d, and |tip|. This is what makes an angle comparable to a length.
+double reach(const Arm& arm);
+
+/// Index of the probe by name, or -1.
+int probe_index(const Arm& arm, const std::string& name);
+
+}  // namespace artcal

@@ -1,0 +1,210 @@
+#include "acquisition/arm_file.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+#include "acquisition/parameters.h"
+#include "core/text_file.h"
+#include "core/toml_document.h"
+#include "core/unit_names.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+constexpr std::string_view schema = "artcal-arm/1";
+
+Convention read_convention(TomlTable& root) {
+  const std::string name = root.text("convention");
+  if (name != "standard" && name != "modified") {
+    root.fail("convention", fmt::format("convention is \"{}\", expected \"standard\" or \"modified\" (Craig)", name));
+  }
+  return name == "modified" ? Convention::Modified : Convention::Standard;
+}
+
+Joint read_joint(TomlTable table, double length, double angle) {
+  Joint joint;
+  joint.a = table.number("a") * length;
+  joint.d = table.number("d") * length;
+  joint.theta = table.number("theta") * angle;
+  joint.alpha = table.number("alpha") * angle;
+  joint.has_beta = table.has("beta");
+  joint.beta = table.number_or("beta", 0.0) * angle;
+  joint.sign = table.number_or("sign", 1.0);
+  if (joint.sign != 1.0 && joint.sign != -1.0) {
+    table.fail("sign", fmt::format("the sign of a joint is {}, expected 1 or -1", joint.sign));
+  }
+  return joint;
+}
+
+Probe read_probe(TomlTable table, double length) {
+  Probe probe;
+  probe.name = table.text_or("name", probe.name);
+  probe.radius = table.number_or("radius", 0.0) * length;
+  probe.on_axis = table.has("l");
+  if (probe.on_axis) {
+    probe.tip_in_last.z() = table.number("l") * length;
+    if (table.has("lx") || table.has("ly") || table.has("lz")) {
+      table.fail("l", "a probe states its tip as `l` on the last axis or as `lx`, `ly`, `lz`, not both");
+    }
+  } else {
+    probe.tip_in_last = length * Eigen::Vector3d(table.number("lx"), table.number("ly"), table.number("lz"));
+  }
+  if (probe.radius < 0.0) {
+    table.fail("radius", "the radius of a tip is negative");
+  }
+  return probe;
+}
+
+void check_arm(const Arm& arm, TomlTable& root) {
+  if (arm.joints.empty() || arm.joints.size() > max_joints) {
+    root.fail("joint", fmt::format("the arm has {} joints, expected 1 to {} tables headed [[joint]]", arm.joints.size(),
+                                   max_joints));
+  }
+  if (arm.probes.empty()) {
+    root.fail("probe", "the arm has no probe, expected at least one table headed [[probe]]");
+  }
+  std::set<std::string> names;
+  for (const Probe& probe : arm.probes) {
+    if (!names.insert(probe.name).second) {
+      root.fail("probe", fmt::format("two probes are called \"{}\"; give each its own name", probe.name));
+    }
+  }
+}
+
+std::optional<ArmIdentification> read_identification(TomlTable table, const Arm& arm) {
+  ArmIdentification known;
+  known.program = table.text("program");
+  known.recording = table.text("recording");
+  known.parameters = table.texts("parameters");
+  const auto rows = table.rows("covariance");
+  const auto size = static_cast<Eigen::Index>(known.parameters.size());
+  known.covariance.resize(size, size);
+  const auto parameters = parameters_of(arm);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const auto& name = known.parameters[static_cast<std::size_t>(i)];
+    if (find_parameter(parameters, name) < 0) {
+      table.fail("parameters", fmt::format("\"{}\" is not a parameter of this arm", name));
+    }
+    if (rows.size() != known.parameters.size() || rows[static_cast<std::size_t>(i)].size() != rows.size()) {
+      table.fail("covariance", fmt::format("the covariance is not {} rows of {} numbers", size, size));
+      return std::nullopt;
+    }
+    known.covariance.row(i) = Eigen::RowVectorXd::Map(rows[static_cast<std::size_t>(i)].data(), size);
+  }
+  return known;
+}
+
+// A TOML basic string; fmt's own escapes are not TOML's.
+std::string toml_text(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+// Shortest digits that read back to the same double; TOML wants a point or an exponent in a float.
+std::string digits(double value) {
+  const std::string text = fmt::format("{}", value);
+  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
+}
+
+std::string joint_text(const Joint& joint) {
+  std::string text = fmt::format("[[joint]]\na = {}\nd = {}\ntheta = {}  # {:.6f} deg\nalpha = {}  # {:.6f} deg\n",
+                                 digits(joint.a), digits(joint.d), digits(joint.theta), joint.theta / units::degree,
+                                 digits(joint.alpha), joint.alpha / units::degree);
+  if (joint.has_beta) {
+    text += fmt::format("beta = {}  # {:.6f} deg\n", digits(joint.beta), joint.beta / units::degree);
+  }
+  if (joint.sign < 0.0) {
+    text += "sign = -1\n";
+  }
+  return text + "\n";
+}
+
+std::string probe_text(const Probe& probe) {
+  const auto& tip = probe.tip_in_last;
+  const std::string place =
+      probe.on_axis ? fmt::format("l = {}\n", digits(tip.z()))
+                    : fmt::format("lx = {}\nly = {}\nlz = {}\n", digits(tip.x()), digits(tip.y()), digits(tip.z()));
+  return fmt::format("[[probe]]\nname = {}\n{}radius = {}\n\n", toml_text(probe.name), place, digits(probe.radius));
+}
+
+std::string identification_text(const ArmIdentification& known) {
+  std::string text = fmt::format(
+      "# Covariance in mm and rad, in the order of `parameters`.\n[identified]\nprogram = {}\nrecording = "
+      "{}\nparameters = [",
+      toml_text(known.program), toml_text(known.recording));
+  for (const auto& name : known.parameters) {
+    text += toml_text(name) + ", ";
+  }
+  text += "]\ncovariance = [\n";
+  for (const auto& row : known.covariance.rowwise()) {
+    text += "  [";
+    for (const double value : row) {
+      text += digits(value) + ", ";
+    }
+    text += "],\n";
+  }
+  return text + "]\n";
+}
+
+}  // namespace
+
+Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
+  const auto file = read_text_file(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  auto document = TomlDocument::parse(*file, schema);
+  if (!document) {
+    return tl::unexpected(document.error());
+  }
+  TomlTable& root = document->root();
+  ArmFile result;
+  result.input = {path.string(), file->sha256};
+  Arm& arm = result.arm;
+  arm.name = root.text_or("name", path.stem().string());
+  arm.convention = read_convention(root);
+  TomlTable units = root.table("units");
+  const double length = length_unit(units, "length");
+  const double angle = angle_unit(units, "angle");
+  for (auto& table : root.tables("joint")) {
+    arm.joints.push_back(read_joint(table, length, angle));
+  }
+  for (auto& table : root.tables("probe")) {
+    arm.probes.push_back(read_probe(table, length));
+  }
+  check_arm(arm, root);
+  if (root.has("identified")) {
+    result.identification = read_identification(root.table("identified"), arm);
+  }
+  if (auto finished = document->finish(); !finished) {
+    return tl::unexpected(finished.error());
+  }
+  return result;
+}
+
+std::string arm_file_text(const Arm& arm, const std::optional<ArmIdentification>& identification) {
+  std::string text =
+      fmt::format("schema = \"{}\"\nname = {}\nconvention = \"{}\"\nunits = {{ length = \"mm\", angle = \"rad\" }}\n\n",
+                  schema, toml_text(arm.name), arm.convention == Convention::Modified ? "modified" : "standard");
+  for (const Joint& joint : arm.joints) {
+    text += joint_text(joint);
+  }
+  for (const Probe& probe : arm.probes) {
+    text += probe_text(probe);
+  }
+  return identification ? text + identification_text(*identification) : text;
+}
+
+}  // namespace artcal

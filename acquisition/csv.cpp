@@ -1,0 +1,158 @@
+#include "acquisition/csv.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace artcal {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && blank(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+// What a message quotes of a field; a hostile one may be long or hold control characters.
+std::string in_quotes(std::string_view field) {
+  std::string shown;
+  for (const char c : field.substr(0, 40)) {
+    shown += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  }
+  return "\"" + shown + (field.size() > 40 ? "…\"" : "\"");
+}
+
+}  // namespace
+
+Expected<CsvReader> CsvReader::open(const TextFile& file) {
+  CsvReader reader(file);
+  const auto found = reader.read_row();
+  if (!found) {
+    return tl::unexpected(found.error());
+  }
+  if (!*found) {
+    return bad_input("the file has no header line, expected column names such as placement,feature,q1,q2",
+                     reader.path_);
+  }
+  reader.header_.assign(reader.fields_.begin(), reader.fields_.end());
+  if (auto checked = reader.check_header(); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  return reader;
+}
+
+Expected<void> CsvReader::check_header() {
+  if (header_.size() == 1 && (row_.find(';') != std::string_view::npos || row_.find('\t') != std::string_view::npos)) {
+    return bad_input("the columns are separated by semicolons or tabs, expected commas (and a point in numbers)",
+                     where(0));
+  }
+  for (std::size_t i = 0; i < header_.size(); ++i) {
+    if (header_[i].empty()) {
+      return bad_input("a column has no name", where(i));
+    }
+    if (std::find(header_.begin(), header_.begin() + static_cast<std::ptrdiff_t>(i), header_[i]) !=
+        header_.begin() + static_cast<std::ptrdiff_t>(i)) {
+      return bad_input(fmt::format("the column {} is there twice", in_quotes(header_[i])), where(i));
+    }
+  }
+  return {};
+}
+
+std::optional<std::size_t> CsvReader::column(std::string_view name) const {
+  const auto found = std::find(header_.begin(), header_.end(), name);
+  return found == header_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - header_.begin()));
+}
+
+std::string CsvReader::where(std::size_t column) const {
+  return fmt::format("{}:{}:{}", path_, line_, column < starts_.size() ? starts_[column] + 1 : 1);
+}
+
+// A quoted field may hold commas and doubled quotes, but no line end: no label has one, and a quote left
+// open would otherwise swallow the rest of the file.
+Expected<void> CsvReader::read_field() {
+  const auto start = static_cast<std::size_t>(fields_.size() == 0 ? 0 : starts_.back());
+  const std::string_view rest = row_.substr(start);
+  std::size_t i = rest.find_first_not_of(" \t");
+  std::size_t end = rest.find(',');
+  std::string_view field;
+  if (i != std::string_view::npos && rest[i] == '"') {
+    std::string& text = unquoted_.emplace_back();
+    for (++i; i < rest.size(); ++i) {
+      if (rest[i] != '"') {
+        text += rest[i];
+      } else if (i + 1 < rest.size() && rest[i + 1] == '"') {
+        text += rest[++i];
+      } else {
+        break;
+      }
+    }
+    end = rest.find(',', std::min(i, rest.size()));
+    const std::string_view tail = i < rest.size() ? rest.substr(i + 1, end - i - 1) : std::string_view{};
+    if (i >= rest.size() || !trimmed(tail).empty()) {
+      return bad_input("a quoted field is not closed, or something follows its closing quote",
+                       fmt::format("{}:{}:{}", path_, line_, start + 1));
+    }
+    field = text;
+  } else {
+    field = trimmed(rest.substr(0, end));
+  }
+  fields_.push_back(field);
+  starts_.push_back(end == std::string_view::npos ? row_.size() + 1 : start + end + 1);
+  return {};
+}
+
+Expected<bool> CsvReader::read_row() {
+  do {
+    if (rest_.empty()) {
+      return false;
+    }
+    const std::size_t end = rest_.find('\n');
+    row_ = rest_.substr(0, end);
+    row_.remove_suffix(row_.size() - row_.find_last_not_of(" \t\r") - 1);  // npos + 1 is 0: all blank
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    line_ = next_line_++;
+  } while (row_.empty() || row_.front() == '#');
+  fields_.clear();
+  starts_.clear();
+  unquoted_.clear();
+  do {
+    if (auto read = read_field(); !read) {
+      return tl::unexpected(read.error());
+    }
+  } while (starts_.back() <= row_.size());
+  // starts_ holds where each field's successor begins; shift it to where the field itself does.
+  starts_.insert(starts_.begin(), 0);
+  starts_.pop_back();
+  return true;
+}
+
+Expected<bool> CsvReader::next() {
+  auto found = read_row();
+  if (found && *found && fields_.size() != header_.size()) {
+    return bad_input(
+        fmt::format("the line has {} fields, expected {} as in the header", fields_.size(), header_.size()), where(0));
+  }
+  return found;
+}
+
+Expected<double> CsvReader::number(std::size_t column, std::string_view expected) const {
+  std::string_view text = field(column);
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    return bad_input(fmt::format("column {}: found {}, expected {}", header_[column],
+                                 text.empty() ? "nothing" : in_quotes(text), expected),
+                     where(column));
+  }
+  return value;
+}
+
+}  // namespace artcal

@@ -1,0 +1,75 @@
+#include "acquisition/parameters.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace artcal {
+namespace {
+
+void add_joints(std::vector<Parameter>& all, const Arm& arm, ParameterKind kind, std::string_view symbol, int first) {
+  for (int i = 0; i < static_cast<int>(arm.joints.size()); ++i) {
+    if (kind != ParameterKind::Beta || arm.joints[static_cast<std::size_t>(i)].has_beta) {
+      all.push_back({fmt::format("{}{}", symbol, i + first), kind, i});
+    }
+  }
+}
+
+void add_tip(std::vector<Parameter>& all, const Arm& arm, int probe) {
+  const Probe& tip = arm.probes[static_cast<std::size_t>(probe)];
+  const std::string suffix = arm.probes.size() > 1 ? ":" + tip.name : "";
+  if (tip.on_axis) {
+    all.push_back({"l" + suffix, ParameterKind::TipZ, probe});
+    return;
+  }
+  all.push_back({"lx" + suffix, ParameterKind::TipX, probe});
+  all.push_back({"ly" + suffix, ParameterKind::TipY, probe});
+  all.push_back({"lz" + suffix, ParameterKind::TipZ, probe});
+}
+
+// One place that says where a parameter lives; const and mutable access share it.
+template <typename AnyArm>
+auto& slot(AnyArm& arm, const Parameter& parameter) {
+  const auto owner = static_cast<std::size_t>(parameter.owner);
+  switch (parameter.kind) {
+    case ParameterKind::A: return arm.joints[owner].a;
+    case ParameterKind::D: return arm.joints[owner].d;
+    case ParameterKind::Theta: return arm.joints[owner].theta;
+    case ParameterKind::Alpha: return arm.joints[owner].alpha;
+    case ParameterKind::Beta: return arm.joints[owner].beta;
+    case ParameterKind::TipX: return arm.probes[owner].tip_in_last.x();
+    case ParameterKind::TipY: return arm.probes[owner].tip_in_last.y();
+    case ParameterKind::TipZ: break;
+  }
+  return arm.probes[owner].tip_in_last.z();
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(const Arm& arm) {
+  const int link = arm.convention == Convention::Modified ? 0 : 1;
+  std::vector<Parameter> all;
+  add_joints(all, arm, ParameterKind::A, "a", link);
+  add_joints(all, arm, ParameterKind::D, "d", 1);
+  add_joints(all, arm, ParameterKind::Theta, "theta", 1);
+  add_joints(all, arm, ParameterKind::Alpha, "alpha", link);
+  add_joints(all, arm, ParameterKind::Beta, "beta", link);
+  for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
+    add_tip(all, arm, probe);
+  }
+  return all;
+}
+
+double value(const Arm& arm, const Parameter& parameter) { return slot(arm, parameter); }
+
+void set_value(Arm& arm, const Parameter& parameter, double new_value) { slot(arm, parameter) = new_value; }
+
+double physical_scale(const Parameter& parameter, double reach) { return parameter.is_angle() ? 1.0 / reach : 1.0; }
+
+int find_parameter(const std::vector<Parameter>& parameters, std::string_view name) {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == parameters.end() ? -1 : static_cast<int>(found - parameters.begin());
+}
+
+}  // namespace artcal

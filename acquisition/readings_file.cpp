@@ -1,0 +1,216 @@
+#include "acquisition/readings_file.h"
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "acquisition/csv.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<std::string_view, 11> known_columns{"artefact", "placement", "feature",     "orientation",
+                                                         "repeat",   "probe",     "temperature", "length",
+                                                         "ref_x",    "ref_y",     "ref_z"};
+
+// The number n of a column called qn, or 0.
+int joint_number(std::string_view name) {
+  int number = 0;
+  if (!name.starts_with('q')) {
+    return 0;
+  }
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  return error == std::errc{} && end == name.data() + name.size() ? number : 0;
+}
+
+/// Where each thing stands in this file; nothing where the column is absent.
+struct Columns {
+  using Column = std::optional<std::size_t>;
+  Column artefact, placement, feature, orientation, repeat, probe, temperature, length;
+  std::array<Column, 3> reference;
+  std::vector<std::size_t> joints;
+};
+
+Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
+  for (std::size_t i = 0; i < csv.header().size(); ++i) {
+    const std::string& name = csv.header()[i];
+    const bool known = std::find(known_columns.begin(), known_columns.end(), name) != known_columns.end();
+    const int joint = joint_number(name);
+    if (joint > static_cast<int>(arm.joints.size())) {
+      return bad_input(fmt::format("there is a column {}, but the arm \"{}\" has {} joints; is it the right arm?", name,
+                                   arm.name, arm.joints.size()),
+                       csv.where(i));
+    }
+    if (!known && joint == 0 && !name.starts_with("x-")) {
+      return bad_input(fmt::format("the column \"{}\" is not known, expected q1 … q{} and any of {}; columns of your "
+                                   "own may begin with x-",
+                                   name, arm.joints.size(), fmt::join(known_columns, ", ")),
+                       csv.where(i));
+    }
+  }
+  Columns columns{csv.column("artefact"),
+                  csv.column("placement"),
+                  csv.column("feature"),
+                  csv.column("orientation"),
+                  csv.column("repeat"),
+                  csv.column("probe"),
+                  csv.column("temperature"),
+                  csv.column("length"),
+                  {csv.column("ref_x"), csv.column("ref_y"), csv.column("ref_z")},
+                  {}};
+  for (std::size_t i = 1; i <= arm.joints.size(); ++i) {
+    const auto column = csv.column(fmt::format("q{}", i));
+    if (!column) {
+      return bad_input(fmt::format("the column q{} is missing; the arm \"{}\" has {} joints, expected q1 … q{}", i,
+                                   arm.name, arm.joints.size(), arm.joints.size()),
+                       csv.where(0));
+    }
+    columns.joints.push_back(*column);
+  }
+  const auto& [x, y, z] = columns.reference;
+  if (x.has_value() != y.has_value() || x.has_value() != z.has_value()) {
+    return bad_input("reference coordinates need all three of ref_x, ref_y, ref_z", csv.where(0));
+  }
+  return columns;
+}
+
+// A number where the file has the column and the field; NaN where either is absent.
+Expected<double> optional_number(const CsvReader& csv, Columns::Column column, double unit, std::string_view expected) {
+  if (!column || csv.field(*column).empty()) {
+    return nan;
+  }
+  return csv.number(*column, expected).map([unit](double value) { return value * unit; });
+}
+
+int label(Labels& labels, const CsvReader& csv, Columns::Column column) {
+  return labels.index_of(column ? csv.field(*column) : std::string_view{});
+}
+
+Expected<int> find_probe(const CsvReader& csv, Columns::Column column, const Arm& arm) {
+  const std::string name(column ? csv.field(*column) : std::string_view{});
+  if (name.empty() && arm.probes.size() == 1) {
+    return 0;
+  }
+  const int index = probe_index(arm, name);
+  if (index >= 0) {
+    return index;
+  }
+  std::string known;
+  for (const Probe& probe : arm.probes) {
+    known += (known.empty() ? "" : ", ") + probe.name;
+  }
+  return bad_input(name.empty() ? fmt::format("the reading names no probe, and the arm has several: {}", known)
+                                : fmt::format("the reading names the probe \"{}\", expected one of: {}", name, known),
+                   csv.where(column.value_or(0)));
+}
+
+Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& columns, const ReadingUnits& units,
+                                         Recording& recording) {
+  Reading reading{};
+  reading.artefact = label(recording.artefacts, csv, columns.artefact);
+  reading.placement = label(recording.placements, csv, columns.placement);
+  reading.feature = label(recording.features, csv, columns.feature);
+  reading.orientation = label(recording.orientations, csv, columns.orientation);
+  reading.repeat = label(recording.repeats, csv, columns.repeat);
+  reading.line = csv.line();
+  const auto probe = find_probe(csv, columns.probe, recording.arm);
+  const auto temperature = optional_number(csv, columns.temperature, 1.0, "a temperature in degC");
+  const auto length = optional_number(csv, columns.length, units.length, "a length");
+  for (const Error* error : {probe ? nullptr : &probe.error(), temperature ? nullptr : &temperature.error(),
+                             length ? nullptr : &length.error()}) {
+    if (error != nullptr) {
+      return tl::unexpected(*error);
+    }
+  }
+  reading.probe = *probe;
+  reading.temperature = *temperature;
+  reading.length = *length;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value =
+        optional_number(csv, columns.reference[static_cast<std::size_t>(axis)], units.length, "a coordinate");
+    if (!value) {
+      return tl::unexpected(value.error());
+    }
+    reading.reference[axis] = *value;
+  }
+  return reading;
+}
+
+}  // namespace
+
+Expected<void> read_readings(const std::filesystem::path& path, const ReadingUnits& units, Recording& recording) {
+  const auto file = read_text_file(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  auto csv = CsvReader::open(*file);
+  if (!csv) {
+    return tl::unexpected(csv.error());
+  }
+  const auto columns = find_columns(*csv, recording.arm);
+  if (!columns) {
+    return tl::unexpected(columns.error());
+  }
+  recording.inputs.push_back({path.string(), file->sha256});
+  recording.files.push_back(path.string());
+  const std::string_view angle = units.joint == units::degree ? "an angle in deg" : "an angle";
+  std::vector<double> q;
+  for (;;) {
+    const auto found = csv->next();
+    if (!found) {
+      return tl::unexpected(found.error());
+    }
+    if (!*found) {
+      break;
+    }
+    auto reading = read_labels_and_extras(*csv, *columns, units, recording);
+    if (!reading) {
+      return tl::unexpected(reading.error());
+    }
+    reading->file = static_cast<int>(recording.files.size()) - 1;
+    for (const std::size_t column : columns->joints) {
+      const auto value = csv->number(column, angle);
+      if (!value) {
+        return tl::unexpected(value.error());
+      }
+      q.push_back(*value * units.joint);
+    }
+    recording.readings.push_back(*reading);
+  }
+  if (q.empty()) {
+    return bad_input("the file has a header but no readings", path.string());
+  }
+  const auto joints = static_cast<Eigen::Index>(columns->joints.size());
+  const Eigen::Index before = recording.joints.cols();
+  recording.joints.conservativeResize(joints, before + static_cast<Eigen::Index>(q.size()) / joints);
+  recording.joints.rightCols(recording.joints.cols() - before) =
+      Eigen::MatrixXd::Map(q.data(), joints, static_cast<Eigen::Index>(q.size()) / joints);
+  return {};
+}
+
+std::vector<std::string> suspicious_angles(const Recording& recording, double joint_unit) {
+  const double largest = recording.joints.cwiseAbs().maxCoeff();  // rad
+  std::vector<std::string> warnings;
+  if (joint_unit == units::degree && recording.readings.size() >= 5 &&
+      largest / units::degree <= 2 * std::numbers::pi) {
+    warnings.push_back(
+        fmt::format("no joint reads more than {:.3g} degrees: these angles look like radians, but the "
+                    "recording says units.joint = \"deg\"",
+                    largest / units::degree));
+  }
+  if (joint_unit == units::radian && largest > 4 * std::numbers::pi) {
+    warnings.push_back(
+        fmt::format("a joint reads {:.4g} rad, more than two turns: these angles look like degrees, but "
+                    "the recording says units.joint = \"rad\"",
+                    largest));
+  }
+  return warnings;
+}
+
+}  // namespace artcal

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "acquisition/arm.h"
+#include "acquisition/reading.h"
+
+namespace artcal {
+
+/// The noise of one reading. Either `reading` is given, the standard deviation of a coordinate in mm
+/// whatever the posture; or `encoder` (rad, a joint) and `probing` (mm, a coordinate), from which each
+/// reading gets the noise of its own posture; or nothing, and the noise is estimated from the residuals.
+struct Noise {
+  std::optional<double> reading;
+  std::optional<double> encoder;
+  std::optional<double> probing;
+
+  [[nodiscard]] bool is_given() const { return reading || encoder || probing; }
+};
+
+/// What a recording asks of its own identification; the command line may say more.
+struct IdentifyRequest {
+  std::vector<std::string> hold;  ///< parameters to keep at their nominal value
+  std::vector<std::string> free;  ///< parameters to identify although they are held by default
+  std::string loss = "none";      ///< none, huber, cauchy
+};
+
+/// A file that a result rests on.
+struct InputFile {
+  std::string path;
+  std::string sha256;
+};
+
+/// One recording session: an arm and what it read. Joint angles in rad, as the encoders gave them.
+struct Recording {
+  std::string name;
+  Arm arm;                 ///< the nominal arm, the start of identification
+  Eigen::MatrixXd joints;  ///< joint × reading, rad
+  std::vector<Reading> readings;
+  Labels artefacts, placements, features, orientations, repeats;
+  std::vector<std::string> artefact_paths;  ///< artefact files named by the recording, resolved
+  Noise noise;
+  IdentifyRequest identify;
+  std::vector<std::string> files;     ///< readings files, as Reading::file counts them
+  std::vector<InputFile> inputs;      ///< every file read so far, in order
+  std::vector<std::string> warnings;  ///< things that look wrong but may be right
+
+  /// "readings.csv:12", for messages about a reading.
+  [[nodiscard]] std::string where(int reading) const;
+};
+
+}  // namespace artcal

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "acquisition/recording.h"
+#include "core/error.h"
+
+namespace artcal {
+
+/// Reads recording.toml, the arm it names and its readings. Paths in the file are taken from the file's
+/// own folder. Format: docs/files.md, "recording.toml". Artefact files are not read here: their paths
+/// stand in Recording::artefact_paths, and whether a reading's labels name something real is known to
+/// artefacts/constraint.
+Expected<Recording> read_recording(const std::filesystem::path& path);
+
+}  // namespace artcal

@@ -1,0 +1,24 @@
+# artcal_layer(NAME PUBLIC_HEADERS … SOURCES … LINKS … PRIVATE_LINKS …)
+#
+# One static library per folder, artcal::NAME. PUBLIC_HEADERS are installed and may show only
+# Eigen, tl::expected and the standard library; everything else stays behind SOURCES.
+function(artcal_layer name)
+  cmake_parse_arguments(LAYER "" "" "PUBLIC_HEADERS;SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  set(target artcal_${name})
+  add_library(${target} STATIC ${LAYER_SOURCES})
+  add_library(artcal::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+                                  FILES ${LAYER_PUBLIC_HEADERS})
+  target_link_libraries(${target} PUBLIC ${LAYER_LINKS} PRIVATE ${LAYER_PRIVATE_LINKS})
+  artcal_compile_options(${target})
+  set_property(GLOBAL APPEND PROPERTY ARTCAL_LAYERS ${target})
+endfunction()
+
+function(artcal_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # The same digits everywhere: no fused multiply-add behind the back of the source.
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+                         -Wconversion -Wno-sign-conversion
+                         $<$<BOOL:${ARTCAL_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <tl/expected.hpp>
+
+namespace artcal {
+
+/// What went wrong, as a caller has to tell the cases apart. The values are the exit codes of the
+/// program, so that a script and a library caller see the same distinction.
+enum class ErrorCode {
+  Usage = 2,       ///< the request itself is wrong: an unknown parameter name, a contradictory option
+  BadInput = 3,    ///< a file cannot be read or says something impossible; nothing was computed
+  NoSolution = 4,  ///< the input is sound, but the readings do not determine what was asked for
+};
+
+/// Bad data, as a value. `where` is "file:line:column" as far as it is known, else empty; `message`
+/// is one sentence: what was found, what was expected, what to do.
+struct Error {
+  ErrorCode code = ErrorCode::BadInput;
+  std::string message;
+  std::string where;
+
+  /// "where: message", the line a person reads.
+  [[nodiscard]] std::string text() const { return where.empty() ? message : where + ": " + message; }
+};
+
+template <typename T>
+using Expected = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> bad_input(std::string message, std::string where = {}) {
+  return tl::unexpected(Error{ErrorCode::BadInput, std::move(message), std::move(where)});
+}
+inline tl::unexpected<Error> wrong_usage(std::string message) {
+  return tl::unexpected(Error{ErrorCode::Usage, std::move(message), {}});
+}
+inline tl::unexpected<Error> no_solution(std::string message) {
+  return tl::unexpected(Error{ErrorCode::NoSolution, std::move(message), {}});
+}
+
+}  // namespace artcal

@@ -1,0 +1,282 @@
+#include "core/toml_document.h"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+namespace artcal {
+
+struct TomlTable::Shared {
+  toml::table document;
+  std::string path;
+  std::optional<Error> first_error;
+  std::set<const toml::node*> read;
+};
+
+namespace {
+
+const toml::table& as_table(const void* table) { return *static_cast<const toml::table*>(table); }
+
+std::string position(const std::string& path, const toml::source_region& source) {
+  if (source.begin.line == 0) {
+    return path;
+  }
+  return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
+}
+
+std::string_view kind_of(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table: return "a table";
+    case toml::node_type::array: return "an array";
+    case toml::node_type::string: return "text";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point: return "a number";
+    case toml::node_type::boolean: return "true or false";
+    default: return "a date or time";
+  }
+}
+
+std::optional<double> finite_number(const toml::node& node) {
+  if (!node.is_number()) {
+    return std::nullopt;
+  }
+  const double value = node.value<double>().value_or(std::nan(""));
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+// The first key in the file that no reader asked for.
+const toml::key* first_unread(const toml::table& table, const std::set<const toml::node*>& read) {
+  const toml::key* first = nullptr;
+  const auto earlier = [&](const toml::key* key) {
+    if (key != nullptr && (first == nullptr || key->source().begin < first->source().begin)) {
+      first = key;
+    }
+  };
+  for (const auto& [key, node] : table) {
+    if (!read.contains(&node)) {
+      earlier(&key);
+    } else if (const auto* inner = node.as_table()) {
+      earlier(first_unread(*inner, read));
+    } else if (const auto* array = node.as_array()) {
+      for (const auto& element : *array) {
+        if (const auto* row = element.as_table()) {
+          earlier(first_unread(*row, read));
+        }
+      }
+    }
+  }
+  return first;
+}
+
+}  // namespace
+
+bool TomlTable::has(std::string_view key) const { return table_ != nullptr && as_table(table_).get(key) != nullptr; }
+
+std::string TomlTable::where(std::string_view key) const {
+  if (table_ == nullptr) {
+    return shared_->path;
+  }
+  const auto* node = as_table(table_).get(key);
+  return position(shared_->path, node != nullptr ? node->source() : as_table(table_).source());
+}
+
+void TomlTable::fail(std::string_view key, std::string message) {
+  if (!shared_->first_error) {
+    shared_->first_error = Error{ErrorCode::BadInput, std::move(message), where(key)};
+  }
+}
+
+void TomlTable::expected(std::string_view key, std::string_view what) {
+  const auto* node = table_ == nullptr ? nullptr : as_table(table_).get(key);
+  const std::string in = name_.empty() ? "" : fmt::format(" in [{}]", name_);
+  if (node == nullptr) {
+    fail(key, fmt::format("`{}` is missing{}, expected {}", key, in, what));
+  } else {
+    fail(key, fmt::format("`{}`{} is {}, expected {}", key, in, kind_of(*node), what));
+  }
+}
+
+std::string TomlTable::text(std::string_view key) {
+  const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
+  if (node == nullptr || !node->is_string()) {
+    expected(key, "text in quotes");
+    return {};
+  }
+  shared_->read.insert(node);
+  return node->ref<std::string>();
+}
+
+std::string TomlTable::text_or(std::string_view key, std::string fallback) {
+  return has(key) ? text(key) : std::move(fallback);
+}
+
+double TomlTable::number(std::string_view key) {
+  const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
+  const auto value = node == nullptr ? std::nullopt : finite_number(*node);
+  if (!value) {
+    expected(key, "a finite number");
+    return 0.0;
+  }
+  shared_->read.insert(node);
+  return *value;
+}
+
+double TomlTable::number_or(std::string_view key, double fallback) { return has(key) ? number(key) : fallback; }
+
+std::optional<double> TomlTable::optional_number(std::string_view key) {
+  return has(key) ? std::optional(number(key)) : std::nullopt;
+}
+
+bool TomlTable::truth_or(std::string_view key, bool fallback) {
+  if (!has(key)) {
+    return fallback;
+  }
+  const auto* node = as_table(table_).get(key);
+  if (!node->is_boolean()) {
+    expected(key, "true or false");
+    return fallback;
+  }
+  shared_->read.insert(node);
+  return node->ref<bool>();
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) {
+  const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
+  if (node == nullptr || !node->is_array()) {
+    expected(key, "an array of numbers");
+    return {};
+  }
+  shared_->read.insert(node);
+  std::vector<double> values;
+  for (const auto& element : *node->as_array()) {
+    const auto value = finite_number(element);
+    if (!value) {
+      expected(key, "an array of finite numbers and nothing else");
+      return {};
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) {
+  if (!has(key)) {
+    return {};
+  }
+  const auto* node = as_table(table_).get(key);
+  std::vector<std::string> values;
+  shared_->read.insert(node);
+  if (node->is_array()) {
+    for (const auto& element : *node->as_array()) {
+      if (element.is_string()) {
+        values.push_back(element.ref<std::string>());
+      }
+    }
+  }
+  if (!node->is_array() || values.size() != node->as_array()->size()) {
+    expected(key, "an array of texts, such as [\"a\", \"b\"]");
+    return {};
+  }
+  return values;
+}
+
+std::vector<std::vector<double>> TomlTable::rows(std::string_view key) {
+  if (!has(key)) {
+    return {};
+  }
+  const auto* node = as_table(table_).get(key);
+  shared_->read.insert(node);
+  std::vector<std::vector<double>> all;
+  const auto* outer = node->as_array();
+  if (outer == nullptr) {
+    expected(key, "an array of arrays of numbers");
+    return {};
+  }
+  for (const auto& inner : *outer) {
+    auto& row = all.emplace_back();
+    if (const auto* numbers = inner.as_array()) {
+      for (const auto& element : *numbers) {
+        row.push_back(finite_number(element).value_or(std::nan("")));
+      }
+    }
+    if (inner.as_array() == nullptr || std::any_of(row.begin(), row.end(), [](double v) { return std::isnan(v); })) {
+      expected(key, "an array of arrays of finite numbers");
+      return {};
+    }
+  }
+  return all;
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+  if (!has(key)) {
+    return {shared_, nullptr, std::string(key)};
+  }
+  const auto* node = as_table(table_).get(key);
+  shared_->read.insert(node);
+  if (!node->is_table()) {
+    expected(key, "a table");
+    return {shared_, nullptr, std::string(key)};
+  }
+  return {shared_, node->as_table(), std::string(key)};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+  if (!has(key)) {
+    return {};
+  }
+  const auto* node = as_table(table_).get(key);
+  shared_->read.insert(node);
+  std::vector<TomlTable> all;
+  if (const auto* array = node->as_array()) {
+    for (const auto& element : *array) {
+      if (element.is_table()) {
+        all.push_back({shared_, element.as_table(), std::string(key)});
+      }
+    }
+  }
+  if (!node->is_array() || all.size() != node->as_array()->size()) {
+    expected(key, fmt::format("tables headed [[{}]]", key));
+    return {};
+  }
+  return all;
+}
+
+Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_view schema) {
+  auto shared = std::make_shared<TomlTable::Shared>();
+  shared->path = file.path.string();
+  try {
+    shared->document = toml::parse(file.text, shared->path);
+  } catch (const toml::parse_error& error) {
+    return bad_input(fmt::format("this is not valid TOML: {}", error.description()),
+                     position(shared->path, error.source()));
+  }
+  const void* table = &shared->document;
+  TomlDocument document{TomlTable{std::move(shared), table, ""}};
+  TomlTable& root = document.root();
+  if (!root.has("schema")) {
+    return bad_input(fmt::format("the file does not say what it is; write schema = \"{}\" at its top", schema),
+                     file.path.string());
+  }
+  if (const std::string found = root.text("schema"); found != schema) {
+    root.fail("schema", fmt::format("schema is \"{}\", expected \"{}\"", found, schema));
+    return tl::unexpected(*root.shared_->first_error);
+  }
+  return document;
+}
+
+Expected<void> TomlDocument::finish() {
+  const auto& shared = *root_.shared_;
+  if (shared.first_error) {
+    return tl::unexpected(*shared.first_error);
+  }
+  if (const auto* key = first_unread(shared.document, shared.read)) {
+    return bad_input(
+        fmt::format("`{}` is not a key that is known here; is it misspelt, or in the wrong table?", key->str()),
+        position(shared.path, key->source()));
+  }
+  return {};
+}
+
+}  // namespace artcal

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/text_file.h"
+
+namespace artcal {
+
+/// Strict reading of a TOML table. Every getter that meets something wrong notes it and returns a
+/// harmless value; `TomlDocument::finish` then gives the first thing noted, with file, line and column.
+/// So a reader is written as straight code and nothing that it returned is used unless finish() agrees.
+/// A key that was never asked for is an error too: it is a misspelling, and a silent default would be a
+/// wrong number that looks right.
+class TomlTable {
+ public:
+  [[nodiscard]] bool has(std::string_view key) const;
+
+  std::string text(std::string_view key);
+  std::string text_or(std::string_view key, std::string fallback);
+  double number(std::string_view key);  ///< integer or float; NaN and infinity are refused
+  double number_or(std::string_view key, double fallback);
+  std::optional<double> optional_number(std::string_view key);
+  bool truth_or(std::string_view key, bool fallback);
+  std::vector<double> numbers(std::string_view key);
+  std::vector<std::string> texts(std::string_view key);         ///< an array of strings; none if absent
+  std::vector<std::vector<double>> rows(std::string_view key);  ///< an array of arrays; none if absent
+  TomlTable table(std::string_view key);                        ///< an empty one if absent
+  std::vector<TomlTable> tables(std::string_view key);          ///< an array of tables; none if absent
+
+  /// Notes an error at the key (at the table if the key is absent), unless one was noted before.
+  void fail(std::string_view key, std::string message);
+  /// "file:line:column" of the key, or of the table if the key is absent.
+  [[nodiscard]] std::string where(std::string_view key) const;
+
+ private:
+  friend class TomlDocument;
+  struct Shared;
+  TomlTable(std::shared_ptr<Shared> shared, const void* table, std::string name)
+      : shared_(std::move(shared)), table_(table), name_(std::move(name)) {}
+  void expected(std::string_view key, std::string_view what);
+
+  std::shared_ptr<Shared> shared_;
+  const void* table_;  // a toml::table; the library stays in the source file
+  std::string name_;
+};
+
+/// A parsed TOML file.
+class TomlDocument {
+ public:
+  /// REQUIRES: `file` holds UTF-8 text. A syntax error names line and column. If the document has a key
+  /// `schema`, it must equal `schema`; a missing one is an error that says what to write.
+  static Expected<TomlDocument> parse(const TextFile& file, std::string_view schema);
+
+  TomlTable& root() { return root_; }
+
+  /// The first error noted, if any; otherwise the first key nobody asked for.
+  Expected<void> finish();
+
+ private:
+  explicit TomlDocument(TomlTable root) : root_(std::move(root)) {}
+  TomlTable root_;
+};
+
+}  // namespace artcal
