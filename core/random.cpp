@@ -73,7 +73,8 @@ Eigen::Vector3d RandomStream::direction() {
 Eigen::Matrix3d RandomStream::rotation() {
   Eigen::Quaterniond q;
   do {
-    q = Eigen::Quaterniond(normal(), normal(), normal(), normal());
+    // Braces, not parentheses: they fix the order of the four calls.
+    q = Eigen::Quaterniond{normal(), normal(), normal(), normal()};
   } while (q.squaredNorm() == 0.0);
   return q.normalized().toRotationMatrix();
 }

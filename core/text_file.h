@@ -15,7 +15,7 @@ struct TextFile {
 };
 
 /// Reads a text file. Refused, each with a sentence: not there, not readable, a directory or device,
-/// empty, UTF-16 or binary content, more than `max_bytes`.
+/// empty, binary content or another encoding than UTF-8, more than `max_bytes`.
 Expected<TextFile> read_text_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{4} << 30);
 
 }  // namespace artcal

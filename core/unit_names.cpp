@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/in_quotes.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -54,7 +55,7 @@ double unit_at(std::span<const Unit> known, TomlTable& units, std::string_view k
   const std::string name = units.text(key);
   const auto factor = find(known, name);
   if (!factor) {
-    units.fail(key, fmt::format("\"{}\" is not a unit known for `{}`, expected one of {}", name, key, choices));
+    units.fail(key, fmt::format("{} is not a unit known for `{}`, expected one of {}", in_quotes(name), key, choices));
   }
   return factor.value_or(1.0);
 }
