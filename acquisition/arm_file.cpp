@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/parameters.h"
+#include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
@@ -18,7 +19,8 @@ constexpr std::string_view schema = "artcal-arm/1";
 Convention read_convention(TomlTable& root) {
   const std::string name = root.text("convention");
   if (name != "standard" && name != "modified") {
-    root.fail("convention", fmt::format("convention is \"{}\", expected \"standard\" or \"modified\" (Craig)", name));
+    root.fail("convention",
+              fmt::format("convention is {}, expected \"standard\" or \"modified\" (Craig)", in_quotes(name)));
   }
   return name == "modified" ? Convention::Modified : Convention::Standard;
 }
@@ -68,7 +70,7 @@ void check_arm(const Arm& arm, TomlTable& root) {
   std::set<std::string> names;
   for (const Probe& probe : arm.probes) {
     if (!names.insert(probe.name).second) {
-      root.fail("probe", fmt::format("two probes are called \"{}\"; give each its own name", probe.name));
+      root.fail("probe", fmt::format("two probes are called {}; give each its own name", in_quotes(probe.name)));
     }
   }
 }
@@ -83,15 +85,15 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   known.covariance.resize(size, size);
   const auto parameters = parameters_of(arm);
   for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& name = known.parameters[static_cast<std::size_t>(i)];
+    const auto& name = known.parameters[i];
     if (find_parameter(parameters, name) < 0) {
-      table.fail("parameters", fmt::format("\"{}\" is not a parameter of this arm", name));
+      table.fail("parameters", fmt::format("{} is not a parameter of this arm", in_quotes(name)));
     }
-    if (rows.size() != known.parameters.size() || rows[static_cast<std::size_t>(i)].size() != rows.size()) {
+    if (rows.size() != known.parameters.size() || rows[i].size() != rows.size()) {
       table.fail("covariance", fmt::format("the covariance is not {} rows of {} numbers", size, size));
       return std::nullopt;
     }
-    known.covariance.row(i) = Eigen::RowVectorXd::Map(rows[static_cast<std::size_t>(i)].data(), size);
+    known.covariance.row(i) = Eigen::RowVectorXd::Map(rows[i].data(), size);
   }
   return known;
 }
@@ -122,7 +124,7 @@ std::string joint_text(const Joint& joint) {
   std::string text = fmt::format("[[joint]]\na = {}\nd = {}\ntheta = {}  # {:.6f} deg\nalpha = {}  # {:.6f} deg\n",
                                  digits(joint.a), digits(joint.d), digits(joint.theta), joint.theta / units::degree,
                                  digits(joint.alpha), joint.alpha / units::degree);
-  if (joint.has_beta) {
+  if (joint.has_beta || joint.beta != 0.0) {
     text += fmt::format("beta = {}  # {:.6f} deg\n", digits(joint.beta), joint.beta / units::degree);
   }
   if (joint.sign < 0.0) {

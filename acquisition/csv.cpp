@@ -6,8 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "core/in_quotes.h"
+
 namespace artcal {
 namespace {
+
+bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f; }
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -18,15 +22,6 @@ std::string_view trimmed(std::string_view text) {
     text.remove_suffix(1);
   }
   return text;
-}
-
-// What a message quotes of a field; a hostile one may be long or hold control characters.
-std::string in_quotes(std::string_view field) {
-  std::string shown;
-  for (const char c : field.substr(0, 40)) {
-    shown += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  }
-  return "\"" + shown + (field.size() > 40 ? "…\"" : "\"");
 }
 
 }  // namespace
@@ -71,7 +66,11 @@ std::optional<std::size_t> CsvReader::column(std::string_view name) const {
 }
 
 std::string CsvReader::where(std::size_t column) const {
-  return fmt::format("{}:{}:{}", path_, line_, column < starts_.size() ? starts_[column] + 1 : 1);
+  return where_byte(column < starts_.size() ? starts_[column] : 0);
+}
+
+std::string CsvReader::where_byte(std::size_t offset) const {
+  return fmt::format("{}:{}:{}", path_, line_, character_count(row_.substr(0, offset)) + 1);
 }
 
 // A quoted field may hold commas and doubled quotes, but no line end: no label has one, and a quote left
@@ -96,8 +95,7 @@ Expected<void> CsvReader::read_field() {
     end = rest.find(',', std::min(i, rest.size()));
     const std::string_view tail = i < rest.size() ? rest.substr(i + 1, end - i - 1) : std::string_view{};
     if (i >= rest.size() || !trimmed(tail).empty()) {
-      return bad_input("a quoted field is not closed, or something follows its closing quote",
-                       fmt::format("{}:{}:{}", path_, line_, start + 1));
+      return bad_input("a quoted field is not closed, or something follows its closing quote", where_byte(start));
     }
     field = text;
   } else {
@@ -119,6 +117,12 @@ Expected<bool> CsvReader::read_row() {
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     line_ = next_line_++;
   } while (row_.empty() || row_.front() == '#');
+  if (const auto at = std::find_if(row_.begin(), row_.end(), is_control); at != row_.end()) {
+    return bad_input(fmt::format("there is a control character (code {}), expected plain text with lines that end in "
+                                 "LF or CR LF",
+                                 static_cast<int>(*at)),
+                     where_byte(static_cast<std::size_t>(at - row_.begin())));
+  }
   fields_.clear();
   starts_.clear();
   unquoted_.clear();

@@ -37,6 +37,7 @@ class CsvReader {
 
  private:
   explicit CsvReader(const TextFile& file) : path_(file.path.string()), rest_(file.text) {}
+  [[nodiscard]] std::string where_byte(std::size_t offset) const;
   Expected<bool> read_row();
   Expected<void> read_field();
   Expected<void> check_header();

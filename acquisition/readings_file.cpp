@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "acquisition/csv.h"
+#include "core/in_quotes.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -21,10 +22,11 @@ constexpr std::array<std::string_view, 11> known_columns{"artefact", "placement"
 
 // The number n of a column called qn, or 0.
 int joint_number(std::string_view name) {
-  int number = 0;
-  if (!name.starts_with('q')) {
+  // Digits without a sign or a leading zero: q-1 and q01 are no joints.
+  if (name.size() < 2 || name[0] != 'q' || name[1] < '1' || name[1] > '9') {
     return 0;
   }
+  int number = 0;
   const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
   return error == std::errc{} && end == name.data() + name.size() ? number : 0;
 }
@@ -48,9 +50,9 @@ Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
                        csv.where(i));
     }
     if (!known && joint == 0 && !name.starts_with("x-")) {
-      return bad_input(fmt::format("the column \"{}\" is not known, expected q1 … q{} and any of {}; columns of your "
+      return bad_input(fmt::format("the column {} is not known, expected q1 … q{} and any of {}; columns of your "
                                    "own may begin with x-",
-                                   name, arm.joints.size(), fmt::join(known_columns, ", ")),
+                                   in_quotes(name), arm.joints.size(), fmt::join(known_columns, ", ")),
                        csv.where(i));
     }
   }
@@ -105,8 +107,9 @@ Expected<int> find_probe(const CsvReader& csv, Columns::Column column, const Arm
   for (const Probe& probe : arm.probes) {
     known += (known.empty() ? "" : ", ") + probe.name;
   }
-  return bad_input(name.empty() ? fmt::format("the reading names no probe, and the arm has several: {}", known)
-                                : fmt::format("the reading names the probe \"{}\", expected one of: {}", name, known),
+  return bad_input(name.empty()
+                       ? fmt::format("the reading names no probe, and the arm has several: {}", known)
+                       : fmt::format("the reading names the probe {}, expected one of: {}", in_quotes(name), known),
                    csv.where(column.value_or(0)));
 }
 
@@ -132,8 +135,7 @@ Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& co
   reading.temperature = *temperature;
   reading.length = *length;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto value =
-        optional_number(csv, columns.reference[static_cast<std::size_t>(axis)], units.length, "a coordinate");
+    const auto value = optional_number(csv, columns.reference[axis], units.length, "a coordinate");
     if (!value) {
       return tl::unexpected(value.error());
     }

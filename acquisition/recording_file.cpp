@@ -4,6 +4,7 @@
 
 #include "acquisition/arm_file.h"
 #include "acquisition/readings_file.h"
+#include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
@@ -22,8 +23,8 @@ std::optional<double> noise_at(TomlTable& table, std::string_view key, Quantity 
   const std::string text = table.text(key);
   const auto value = read(text);
   if (!value || *value <= 0.0) {
-    table.fail(key, fmt::format("the noise `{}` is \"{}\", expected a number above zero with its unit, such as \"{}\"",
-                                key, text, example));
+    table.fail(key, fmt::format("the noise `{}` is {}, expected a number above zero with its unit, such as \"{}\"", key,
+                                in_quotes(text), example));
   }
   return value;
 }
@@ -48,14 +49,14 @@ IdentifyRequest read_request(TomlTable table) {
   request.free = table.texts("free");
   request.loss = table.text_or("loss", request.loss);
   if (request.loss != "none" && request.loss != "huber" && request.loss != "cauchy") {
-    table.fail("loss", fmt::format("loss is \"{}\", expected \"none\", \"huber\" or \"cauchy\"", request.loss));
+    table.fail("loss", fmt::format("loss is {}, expected \"none\", \"huber\" or \"cauchy\"", in_quotes(request.loss)));
   }
   return request;
 }
 
 void check_temperature_unit(TomlTable& units) {
   if (const std::string unit = units.text_or("temperature", "degC"); unit != "degC") {
-    units.fail("temperature", fmt::format("\"{}\" is not a unit known for `temperature`, expected degC", unit));
+    units.fail("temperature", fmt::format("{} is not a unit known for `temperature`, expected degC", in_quotes(unit)));
   }
 }
 
