@@ -1,0 +1,299 @@
+#include "artefacts/constraint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "artefacts/artefact_file.h"
+
+namespace artcal {
+namespace {
+
+using Key = std::tuple<int, int, int>;  // artefact, placement, feature
+
+Location location_of(const Artefact& artefact, const CertifiedFeature& feature) {
+  if (!feature.at && feature.kind != FeatureKind::Coordinates) {
+    return Location::Unknown;
+  }
+  return artefact.frame == CoordinateFrame::Base ? Location::Base : Location::Posed;
+}
+
+Expected<int> find_artefact(const Recording& recording, int reading, const std::vector<Artefact>& artefacts) {
+  const auto& name = recording.artefacts.name(recording.readings[reading].artefact);
+  std::string known;
+  for (std::size_t i = 0; i < artefacts.size(); ++i) {
+    if (artefacts[i].name == name || (name.empty() && artefacts.size() == 1)) {
+      return static_cast<int>(i);
+    }
+    known += (i == 0 ? "" : ", ") + artefacts[i].name;
+  }
+  return bad_input(name.empty()
+                       ? fmt::format("the reading names no artefact, and there are several: {}", known)
+                       : fmt::format("the reading names the artefact \"{}\", expected one of: {}", name, known),
+                   recording.where(reading));
+}
+
+Expected<int> find_feature(const Recording& recording, int reading, const Artefact& artefact) {
+  const auto& name = recording.features.name(recording.readings[reading].feature);
+  const int index = artefact.feature_index(name);
+  if (index >= 0) {
+    return index;
+  }
+  std::string known;
+  for (const auto& feature : artefact.features) {
+    known += (known.empty() ? "" : ", ") + feature.name;
+  }
+  return bad_input(
+      fmt::format("the reading names {}, which the artefact \"{}\" does not have, expected one of: {}",
+                  name.empty() ? "no feature" : fmt::format("the feature \"{}\"", name), artefact.name, known),
+      recording.where(reading));
+}
+
+// Adds what one reading brings of its own; `factor` is the artefact's expansion in this placement.
+Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recording, int index,
+                           const CertifiedFeature& feature, double factor) {
+  const Reading& reading = recording.readings[index];
+  constraint.readings.push_back(index);
+  if (feature.kind == FeatureKind::Coordinates) {
+    if (!reading.reference.allFinite()) {
+      return bad_input(
+          fmt::format("the feature \"{}\" wants the tip's coordinates with each reading, but ref_x, ref_y, "
+                      "ref_z are missing here",
+                      feature.name),
+          recording.where(index));
+    }
+    constraint.known.emplace_back(reading.reference);
+  } else if (feature.at) {
+    constraint.known.emplace_back(factor * *feature.at);
+  }
+  if (feature.kind == FeatureKind::Anchor) {
+    if (!(reading.length > 0.0)) {
+      return bad_input(fmt::format("the feature \"{}\" is an anchor to which a length is measured, expected a number "
+                                   "above zero in the column length",
+                                   feature.name),
+                       recording.where(index));
+    }
+    constraint.distances.push_back(reading.length);
+  } else if (feature.kind == FeatureKind::Sphere) {
+    const double tip_radius = recording.arm.probes[reading.probe].radius;
+    constraint.distances.push_back(factor * feature.radius + tip_radius);
+  }
+  return {};
+}
+
+// Mean temperature of an artefact's readings in a placement; the reference where none was read.
+std::map<std::pair<int, int>, double> temperatures(const Recording& recording, const std::vector<int>& artefact_of,
+                                                   const std::vector<Artefact>& artefacts) {
+  std::map<std::pair<int, int>, std::pair<double, int>> sums;
+  for (std::size_t i = 0; i < recording.readings.size(); ++i) {
+    auto& [sum, count] = sums[{artefact_of[i], recording.readings[i].placement}];
+    if (std::isfinite(recording.readings[i].temperature)) {
+      sum += recording.readings[i].temperature;
+      ++count;
+    }
+  }
+  std::map<std::pair<int, int>, double> means;
+  for (const auto& [key, entry] : sums) {
+    const auto& [sum, count] = entry;
+    means[key] = count > 0 ? sum / count : artefacts[key.first].reference_temperature;
+  }
+  return means;
+}
+
+void warn_of_temperatures(Constraints& constraints, const std::map<std::pair<int, int>, double>& means) {
+  for (std::size_t i = 0; i < constraints.artefacts.size(); ++i) {
+    const Artefact& artefact = constraints.artefacts[i];
+    double worst = 0.0;
+    for (const auto& [key, mean] : means) {
+      if (key.first == static_cast<int>(i)) {
+        worst = std::max(worst, std::abs(mean - artefact.reference_temperature));
+      }
+    }
+    if (worst > 0.5 && !artefact.expansion_is_known) {
+      constraints.warnings.push_back(
+          fmt::format("the artefact \"{}\" was used {:.1f} K away from {} degC, but its file states no "
+                      "expansion_per_K: its lengths "
+                      "were not corrected",
+                      artefact.name, worst, artefact.reference_temperature));
+    }
+  }
+}
+
+void add_distances(Constraints& constraints, const std::map<Key, int>& index,
+                   const std::map<std::pair<int, int>, double>& means) {
+  for (const auto& [place, temperature] : means) {
+    const Artefact& artefact = constraints.artefacts[place.first];
+    for (const CertifiedDistance& distance : artefact.distances) {
+      const auto first = index.find({place.first, place.second, distance.first});
+      const auto second = index.find({place.first, place.second, distance.second});
+      if (first == index.end() || second == index.end()) {
+        continue;
+      }
+      const bool binds = constraints.features[first->second].location == Location::Unknown &&
+                         constraints.features[second->second].location == Location::Unknown;
+      constraints.distances.push_back(
+          {first->second, second->second, distance.value * artefact.expansion_factor(temperature), distance.u, binds});
+    }
+  }
+}
+
+int root_of(std::vector<int>& parent, int i) {
+  while (parent[i] != i) {
+    i = parent[i] = parent[parent[i]];
+  }
+  return i;
+}
+
+// Unknowns are grouped by what ties them together: a distance between two points, or one pose.
+void assign_groups(Constraints& constraints) {
+  std::vector<int> parent(constraints.features.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::map<std::pair<int, int>, int> first_posed;
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
+    const auto& feature = constraints.features[i];
+    if (feature.location == Location::Posed) {
+      const auto [entry, is_new] = first_posed.try_emplace({feature.artefact, feature.placement}, i);
+      parent[root_of(parent, i)] = root_of(parent, entry->second);
+    }
+  }
+  for (const auto& distance : constraints.distances) {
+    if (distance.binds) {
+      parent[root_of(parent, distance.second)] = root_of(parent, distance.first);
+    }
+  }
+  constraints.groups.clear();
+  std::map<int, int> group_of_root;
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
+    auto& feature = constraints.features[i];
+    if (feature.location == Location::Base) {
+      feature.group = -1;
+      continue;
+    }
+    const auto [entry, is_new] =
+        group_of_root.try_emplace(root_of(parent, i), static_cast<int>(constraints.groups.size()));
+    if (is_new) {
+      const bool posed = feature.location == Location::Posed;
+      constraints.groups.push_back({posed, posed ? 6 : 0});
+    }
+    feature.group = entry->second;
+    auto& group = constraints.groups[feature.group];
+    if (feature.location == Location::Unknown) {
+      feature.offset = group.size;
+      group.size += 3;
+    }
+  }
+}
+
+}  // namespace
+
+int Constraints::unknown_count() const {
+  return std::accumulate(groups.begin(), groups.end(), 0, [](int sum, const auto& group) { return sum + group.size; });
+}
+
+int Constraints::reading_residual_count() const {
+  return std::accumulate(features.begin(), features.end(), 0,
+                         [](int sum, const auto& feature) { return sum + feature.size() * feature.dimension(); });
+}
+
+int Constraints::binding_distance_count() const {
+  return static_cast<int>(std::count_if(distances.begin(), distances.end(), [](const auto& d) { return d.binds; }));
+}
+
+FeatureName name_of(const FeatureConstraint& constraint, const Constraints& constraints, const Recording& recording) {
+  const Artefact& artefact = constraints.artefacts[constraint.artefact];
+  return {artefact.name, recording.placements.name(constraint.placement), artefact.features[constraint.feature].name};
+}
+
+Expected<Constraints> build_constraints(const Recording& recording, std::vector<Artefact> artefacts) {
+  Constraints constraints;
+  constraints.artefacts = std::move(artefacts);
+  std::vector<int> artefact_of(recording.readings.size());
+  for (int i = 0; i < static_cast<int>(recording.readings.size()); ++i) {
+    const auto artefact = find_artefact(recording, i, constraints.artefacts);
+    if (!artefact) {
+      return tl::unexpected(artefact.error());
+    }
+    artefact_of[i] = *artefact;
+  }
+  const auto means = temperatures(recording, artefact_of, constraints.artefacts);
+  std::map<Key, int> index;
+  for (int i = 0; i < static_cast<int>(recording.readings.size()); ++i) {
+    const int a = artefact_of[i];
+    const int placement = recording.readings[i].placement;
+    const Artefact& artefact = constraints.artefacts[a];
+    const auto f = find_feature(recording, i, artefact);
+    if (!f) {
+      return tl::unexpected(f.error());
+    }
+    const CertifiedFeature& feature = artefact.features[*f];
+    const auto [entry, is_new] =
+        index.try_emplace(Key{a, placement, *f}, static_cast<int>(constraints.features.size()));
+    if (is_new) {
+      auto& added = constraints.features.emplace_back();
+      added.artefact = a;
+      added.placement = placement;
+      added.feature = *f;
+      added.location = location_of(artefact, feature);
+      added.demand = feature.kind == FeatureKind::Sphere || feature.kind == FeatureKind::Anchor ? Demand::AtDistance
+                                                                                                : Demand::Coincide;
+      added.u = feature.u;
+    }
+    if (auto read = add_reading(constraints.features[entry->second], recording, i, feature,
+                                artefact.expansion_factor(means.at({a, placement})));
+        !read) {
+      return tl::unexpected(read.error());
+    }
+  }
+  add_distances(constraints, index, means);
+  warn_of_temperatures(constraints, means);
+  assign_groups(constraints);
+  return constraints;
+}
+
+Expected<Constraints> read_constraints(Recording& recording) {
+  if (recording.artefact_paths.empty()) {
+    return bad_input("the recording names no artefact, expected artefacts = [\"artefact.toml\"]",
+                     recording.inputs.empty() ? "" : recording.inputs.front().path);
+  }
+  std::vector<Artefact> artefacts;
+  for (const auto& path : recording.artefact_paths) {
+    auto file = read_artefact_file(path);
+    if (!file) {
+      return tl::unexpected(file.error());
+    }
+    for (const auto& other : artefacts) {
+      if (other.name == file->artefact.name) {
+        return bad_input(fmt::format("two artefacts of this recording are called \"{}\"", other.name), path);
+      }
+    }
+    recording.inputs.push_back(file->input);
+    artefacts.push_back(std::move(file->artefact));
+  }
+  return build_constraints(recording, std::move(artefacts));
+}
+
+Constraints without_features(const Constraints& constraints, const std::vector<bool>& drop) {
+  Constraints kept{constraints.artefacts, {}, {}, {}, constraints.warnings};
+  std::vector<int> new_index(constraints.features.size(), -1);
+  for (std::size_t i = 0; i < constraints.features.size(); ++i) {
+    if (!drop[i]) {
+      new_index[i] = static_cast<int>(kept.features.size());
+      kept.features.push_back(constraints.features[i]);
+    }
+  }
+  for (DistanceConstraint distance : constraints.distances) {
+    distance.first = new_index[distance.first];
+    distance.second = new_index[distance.second];
+    if (distance.first >= 0 && distance.second >= 0) {
+      kept.distances.push_back(distance);
+    }
+  }
+  assign_groups(kept);
+  return kept;
+}
+
+}  // namespace artcal

@@ -1,0 +1,176 @@
+#include "artefacts/virtual_probing.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <Eigen/Dense>
+
+#include "acquisition/sweep.h"
+#include "core/random.h"
+#include "core/rigid.h"
+
+namespace artcal {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr int max_attempts = 1000;
+
+Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
+  Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
+  for (double& angle : q) {
+    angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+  }
+  return q;
+}
+
+Eigen::Vector3d tip_of(const Arm& arm, const Eigen::VectorXd& q) {
+  std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
+  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+  return Sweep(arm, {}, 0).tip_in_base(sines);
+}
+
+// A random posture on a given point; an arm that cannot reach it from anywhere gets the nearest miss.
+std::optional<Eigen::VectorXd> posture_on(const Arm& arm, const Eigen::Vector3d& target, RandomStream& random) {
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    if (auto q = reach_point(arm, 0, target, random_posture(arm, random))) {
+      return q;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Collects readings into a recording.
+class Recorder {
+ public:
+  Recorder(const Arm& arm, std::string artefact) {
+    recording_.name = "virtual";
+    recording_.arm = arm;
+    recording_.files.emplace_back("virtual");
+    recording_.artefacts.index_of(artefact);
+  }
+  void add(const Eigen::VectorXd& q, const std::string& placement, const std::string& feature,
+           const Eigen::Vector3d& reference, double length) {
+    Reading reading{};
+    reading.placement = recording_.placements.index_of(placement);
+    reading.feature = recording_.features.index_of(feature);
+    reading.orientation = recording_.orientations.index_of("");
+    reading.repeat = recording_.repeats.index_of("");
+    reading.temperature = nan;
+    reading.length = length;
+    reading.reference = reference;
+    reading.line = static_cast<int>(recording_.readings.size()) + 1;
+    recording_.readings.push_back(reading);
+    joints_.insert(joints_.end(), q.begin(), q.end());
+  }
+  Recording finish() {
+    const auto rows = static_cast<Eigen::Index>(recording_.arm.joints.size());
+    recording_.joints =
+        Eigen::MatrixXd::Map(joints_.data(), rows, static_cast<Eigen::Index>(recording_.readings.size()));
+    return std::move(recording_);
+  }
+
+ private:
+  Recording recording_;
+  std::vector<double> joints_;
+};
+
+const Eigen::Vector3d no_reference = Eigen::Vector3d::Constant(nan);
+
+VirtualRecording probe_coordinates(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
+  const bool in_base = options.kind == ReadingKind::BaseCoordinates;
+  Artefact artefact{"coordinates",
+                    in_base ? CoordinateFrame::Base : CoordinateFrame::Artefact,
+                    {{"tip", FeatureKind::Coordinates, {}, 0.0, 0.0}},
+                    {}};
+  Recorder recorder(arm, artefact.name);
+  const Rigid artefact_from_base = in_base ? Rigid{} : Rigid{random.rotation(), 0.3 * reach(arm) * random.direction()};
+  for (int i = 0; i < options.readings; ++i) {
+    const Eigen::VectorXd q = random_posture(arm, random);
+    recorder.add(q, "1", "tip", artefact_from_base * tip_of(arm, q), nan);
+  }
+  return {recorder.finish(), {artefact}};
+}
+
+VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
+  const double length = options.distance > 0.0 ? options.distance : 0.25 * reach(arm);
+  Artefact artefact{"bar",
+                    CoordinateFrame::Artefact,
+                    {{"1", FeatureKind::Point, {}, 0.0, 0.0}, {"2", FeatureKind::Point, {}, 0.0, 0.0}},
+                    {{0, 1, length, 1e-3}}};
+  Recorder recorder(arm, artefact.name);
+  int pairs = 0;
+  for (int attempt = 0; pairs < options.readings / 2 && attempt < max_attempts * options.readings; ++attempt) {
+    const Eigen::VectorXd first = random_posture(arm, random);
+    if (const auto second = posture_on(arm, tip_of(arm, first) + length * random.direction(), random)) {
+      const std::string placement = fmt::format("{}", ++pairs);
+      recorder.add(first, placement, "1", no_reference, nan);
+      recorder.add(*second, placement, "2", no_reference, nan);
+    }
+  }
+  return {recorder.finish(), {artefact}};
+}
+
+// Points, balls and anchors: readings spread evenly over features at random places.
+VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
+  const FeatureKind kind = options.kind == ReadingKind::Sphere   ? FeatureKind::Sphere
+                           : options.kind == ReadingKind::Length ? FeatureKind::Anchor
+                                                                 : FeatureKind::Point;
+  Artefact artefact{"features", CoordinateFrame::Artefact, {}, {}};
+  Recorder recorder(arm, artefact.name);
+  const double ball = options.ball_radius + arm.probes.front().radius;
+  for (int f = 0; f < options.features; ++f) {
+    const std::string name = fmt::format("{}", f + 1);
+    artefact.features.push_back({name, kind, {}, options.ball_radius, 0.0});
+    const Eigen::Vector3d centre = tip_of(arm, random_posture(arm, random));
+    const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
+    for (int i = 0, attempt = 0; i < count && attempt < max_attempts * count; ++attempt) {
+      const Eigen::Vector3d target = kind == FeatureKind::Sphere   ? centre + ball * random.direction()
+                                     : kind == FeatureKind::Anchor ? tip_of(arm, random_posture(arm, random))
+                                                                   : centre;
+      if (const auto q = posture_on(arm, target, random)) {
+        recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - centre).norm() : nan);
+        ++i;
+      }
+    }
+  }
+  return {recorder.finish(), {artefact}};
+}
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                           Eigen::VectorXd start) {
+  const Sweep sweep(arm, {}, probe);
+  const double length = reach(arm);
+  std::vector<double> sines(2 * arm.joints.size());
+  Eigen::Matrix3Xd by_joints(3, start.size());
+  Eigen::VectorXd& q = start;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+    const Eigen::Vector3d miss = target_in_base - sweep.tip_by_joints(sines, by_joints.data());
+    if (miss.norm() <= 1e-12 * length) {
+      return q;
+    }
+    // Damping that fades with the miss: steady far away, quadratic near.
+    const double damping = 1e-3 * length * std::min(miss.norm(), length) + 1e-16 * length * length;
+    const Eigen::Matrix3d normal = by_joints * by_joints.transpose() + damping * Eigen::Matrix3d::Identity();
+    Eigen::VectorXd step = by_joints.transpose() * normal.ldlt().solve(miss);
+    const double largest = step.cwiseAbs().maxCoeff();
+    q += (largest > 0.5 ? 0.5 / largest : 1.0) * step;
+  }
+  return std::nullopt;
+}
+
+VirtualRecording probe_virtually(const Arm& arm, const VirtualProbing& options) {
+  RandomStream random(options.seed, "virtual probing", static_cast<std::uint64_t>(options.kind));
+  switch (options.kind) {
+    case ReadingKind::BaseCoordinates:
+    case ReadingKind::FrameCoordinates: return probe_coordinates(arm, options, random);
+    case ReadingKind::Distance: return probe_distances(arm, options, random);
+    default: return probe_features(arm, options, random);
+  }
+}
+
+}  // namespace artcal

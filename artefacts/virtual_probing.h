@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "acquisition/recording.h"
+#include "artefacts/artefact.h"
+
+namespace artcal {
+
+/// Joint angles (rad) that put the tip at a point of the base frame, found from `start` by damped
+/// Gauss-Newton; the redundancy of the arm keeps the posture near the start. Nothing if the point cannot
+/// be reached from there. The tip is within 1e-12 of the reach.
+std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                           Eigen::VectorXd start);
+
+/// A kind of reading, as `artcal coupling --kind` names it.
+enum class ReadingKind {
+  BaseCoordinates,   ///< "base": known coordinates in the base frame
+  FrameCoordinates,  ///< "frame": known coordinates in an unknown frame
+  Point,             ///< "point": many readings of unknown points
+  Distance,          ///< "distance": pairs of points at a certified distance, one reading each
+  Sphere,            ///< "sphere": balls of known radius at unknown places
+  Length,            ///< "length": measured lengths to unknown anchors
+};
+
+struct VirtualProbing {
+  ReadingKind kind = ReadingKind::BaseCoordinates;
+  int readings = 240;         ///< in all
+  int features = 4;           ///< points, balls or anchors they are spread over (not used by coordinates and distances)
+  double distance = 0.0;      ///< of a pair, mm; 0 takes a quarter of the reach
+  double ball_radius = 12.7;  ///< mm
+  std::uint64_t seed = 1;
+};
+
+/// A recording without noise, and the artefacts it was made on.
+struct VirtualRecording {
+  Recording recording;
+  std::vector<Artefact> artefacts;
+};
+
+/// Reads `arm` (taken as the truth) at random postures, every joint anywhere on its circle. The same
+/// arguments give the same bits.
+VirtualRecording probe_virtually(const Arm& arm, const VirtualProbing& options);
+
+}  // namespace artcal

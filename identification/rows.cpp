@@ -1,0 +1,99 @@
+#include "identification/rows.h"
+
+#include <vector>
+
+namespace artcal {
+namespace {
+
+// out(row, ·) = whitening · by_tip · derivative · scale, for the reading's one or three rows.
+void put_arm_rows(const Eigen::Matrix3d& tip_to_rows, int rows, const std::vector<double>& derivative,
+                  const Eigen::VectorXd& scale, double* out) {
+  const auto columns = scale.size();
+  for (int row = 0; row < rows; ++row) {
+    const double wx = tip_to_rows(row, 0);
+    const double wy = tip_to_rows(row, 1);
+    const double wz = tip_to_rows(row, 2);
+    double* line = out + row * columns;
+    const double* d = derivative.data();
+    for (Eigen::Index column = 0; column < columns; ++column, d += 3) {
+      line[column] = scale[column] * (wx * d[0] + wy * d[1] + wz * d[2]);
+    }
+  }
+}
+
+// The frequent case of an unrotated residual with one weight for all directions: a scaled transpose.
+void put_arm_rows(double weight, const std::vector<double>& derivative, const Eigen::VectorXd& scale, double* out) {
+  const auto columns = scale.size();
+  const double* d = derivative.data();
+  for (Eigen::Index column = 0; column < columns; ++column, d += 3) {
+    const double w = weight * scale[column];
+    out[column] = w * d[0];
+    out[column + columns] = w * d[1];
+    out[column + 2 * columns] = w * d[2];
+  }
+}
+
+}  // namespace
+
+void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
+                   const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* group_values,
+                   int first, int count, const RowsOut& out) {
+  const FeatureResidual residual(feature, reference, group_values);
+  const int rows = feature.dimension();
+  const int group_size = feature.group < 0 ? 0 : system.constraints->groups[feature.group].size;
+  const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr;
+  std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
+  if (out.by_group != nullptr) {
+    std::fill_n(out.by_group, static_cast<std::ptrdiff_t>(count) * rows * group_size, 0.0);
+  }
+  const bool plain =
+      weights.matrix.empty() && feature.demand == Demand::Coincide && feature.location != Location::Posed;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i;
+    const int reading = feature.readings[k];
+    const Sweep& sweep = sweeps[system.probes[reading]];
+    const Eigen::Vector3d tip = out.by_arm != nullptr
+                                    ? sweep.tip_in_base(system.sines_of(reading), by_parameters.data())
+                                    : sweep.tip_in_base(system.sines_of(reading));
+    const Residual r = residual.at(k, tip, derivatives);
+    const Eigen::Matrix3d whitening =
+        weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
+    if (out.residuals != nullptr) {
+      Eigen::Map<Eigen::VectorXd>(out.residuals + i * rows, rows) =
+          whitening.topLeftCorner(rows, rows) * r.value.head(rows);
+    }
+    if (out.by_arm != nullptr) {
+      double* lines = out.by_arm + static_cast<std::ptrdiff_t>(i) * rows * system.arm_size();
+      if (plain) {
+        put_arm_rows(weights.scalar[k], by_parameters, system.scale, lines);
+      } else {
+        Eigen::Matrix3d tip_to_rows = r.by_tip;
+        tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
+        put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, lines);
+      }
+    }
+    if (out.by_group != nullptr) {
+      Eigen::Map<RowMatrix> lines(out.by_group + static_cast<std::ptrdiff_t>(i) * rows * group_size, rows, group_size);
+      lines.middleCols(residual.first_column(), residual.columns()) =
+          whitening.topLeftCorner(rows, rows) * r.by_unknowns.topLeftCorner(rows, residual.columns());
+    }
+  }
+}
+
+double weighted_distance(const DistanceConstraint& distance, const Constraints& constraints, double weight,
+                         const double* group_values, double* by_group) {
+  const FeatureConstraint& first = constraints.features[distance.first];
+  const FeatureConstraint& second = constraints.features[distance.second];
+  const Eigen::Vector3d apart =
+      Eigen::Vector3d::Map(group_values + second.offset) - Eigen::Vector3d::Map(group_values + first.offset);
+  const double length = apart.norm();
+  if (by_group != nullptr) {
+    const Eigen::Vector3d direction = length > 0.0 ? Eigen::Vector3d(apart / length) : Eigen::Vector3d::UnitX();
+    std::fill_n(by_group, constraints.groups[first.group].size, 0.0);
+    Eigen::Vector3d::Map(by_group + second.offset) = weight * direction;
+    Eigen::Vector3d::Map(by_group + first.offset) = -weight * direction;
+  }
+  return weight * (length - distance.value);
+}
+
+}  // namespace artcal

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identification/residual.h"
+#include "identification/system.h"
+
+namespace artcal {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Weighted residuals of a run of one feature's readings and their derivatives, row-major. Any of the
+/// three may be null. Sizes: rows = count · dimension(); `by_arm` rows × System::arm_size();
+/// `by_group` rows × the size of the feature's group.
+struct RowsOut {
+  double* residuals = nullptr;
+  double* by_arm = nullptr;
+  double* by_group = nullptr;
+};
+
+/// Computes the rows of readings [first, first + count) of a feature. `sweeps` come from sweeps_of() at
+/// the arm in question, `group_values` and `reference` from its group.
+void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
+                   const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* group_values,
+                   int first, int count, const RowsOut& out);
+
+/// Weighted residual of a certified distance, and its derivative by the group's unknowns (may be null).
+double weighted_distance(const DistanceConstraint& distance, const Constraints& constraints, double weight,
+                         const double* group_values, double* by_group);
+
+}  // namespace artcal

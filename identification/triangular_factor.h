@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace artcal {
+
+/// The triangular factor R of a tall matrix that never stands in memory as a whole: rows come in blocks,
+/// each block is folded into R by Householder reflections (a QR in a chain). RᵀR = AᵀA, but R comes from A
+/// itself, so that its singular values are A's to full precision. The result depends on the order of the
+/// rows only in the last digits; the order is fixed, so the bits are too.
+class TriangularFactor {
+ public:
+  explicit TriangularFactor(int columns);
+
+  /// Adds `rows` rows; `row_major` holds rows × columns numbers.
+  void add(const double* row_major, int rows);
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+
+  /// columns × columns, upper triangular.
+  [[nodiscard]] Eigen::MatrixXd triangle();
+
+ private:
+  void fold();
+
+  Eigen::MatrixXd stack_;  // the triangle so far on top, waiting rows below it
+  Eigen::Index filled_ = 0;
+};
+
+/// What a triangle [N | A] over nuisance and wanted columns says of the wanted ones alone: the rows of A
+/// left when the range of N is projected out. N may be rank deficient.
+Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& triangle, int nuisance_columns);
+
+}  // namespace artcal

@@ -1,0 +1,76 @@
+#include "identification/weights.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "identification/residual.h"
+
+namespace artcal {
+namespace {
+
+std::vector<double> distance_weights(const Constraints& constraints) {
+  std::vector<double> weights;
+  for (const auto& distance : constraints.distances) {
+    weights.push_back(1.0 / distance.u);
+  }
+  return weights;
+}
+
+}  // namespace
+
+Weights unit_weights(const Constraints& constraints) {
+  Weights weights;
+  for (const auto& feature : constraints.features) {
+    weights.features.push_back({std::vector<double>(feature.readings.size(), 1.0), {}});
+  }
+  for (const auto& distance : constraints.distances) {
+    weights.distances.push_back(
+        std::sqrt(constraints.features[distance.first].size() + constraints.features[distance.second].size()));
+  }
+  return weights;
+}
+
+Weights uniform_weights(const Constraints& constraints, double sigma) {
+  Weights weights;
+  for (const auto& feature : constraints.features) {
+    weights.features.push_back({std::vector<double>(feature.readings.size(), 1.0 / std::hypot(sigma, feature.u)), {}});
+  }
+  weights.distances = distance_weights(constraints);
+  return weights;
+}
+
+Weights posture_weights(const System& system, const Arm& arm, const Unknowns& unknowns, double encoder,
+                        double probing) {
+  const Constraints& constraints = *system.constraints;
+  const auto sweeps = sweeps_of(system, arm);
+  Weights weights;
+  weights.distances = distance_weights(constraints);
+  Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(arm.joints.size()));
+  for (const auto& feature : constraints.features) {
+    const GroupState none;
+    const GroupState& group = feature.group < 0 ? none : unknowns[feature.group];
+    const FeatureResidual residual(feature, group.reference, group.values.data());
+    FeatureWeights& out = weights.features.emplace_back();
+    for (int k = 0; k < feature.size(); ++k) {
+      const int reading = feature.readings[k];
+      const Eigen::Vector3d tip =
+          sweeps[system.probes[reading]].tip_by_joints(system.sines_of(reading), by_joints.data());
+      const Residual r = residual.at(k, tip, true);
+      const Eigen::Matrix3d tip_covariance =
+          probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();
+      const auto slope = r.by_tip.topRows(r.rows);
+      Eigen::MatrixXd covariance = slope * tip_covariance * slope.transpose();
+      covariance.diagonal().array() += feature.u * feature.u;
+      if (r.rows == 1) {
+        out.scalar.push_back(1.0 / std::sqrt(covariance(0, 0)));
+      } else {
+        const Eigen::Matrix3d lower = Eigen::Matrix3d(covariance).llt().matrixL();
+        out.matrix.emplace_back(lower.triangularView<Eigen::Lower>().solve(Eigen::Matrix3d::Identity()));
+      }
+    }
+  }
+  return weights;
+}
+
+}  // namespace artcal

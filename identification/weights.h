@@ -1,0 +1,20 @@
+#pragma once
+
+#include "identification/system.h"
+
+namespace artcal {
+
+/// Weights where nothing is known of the noise: a reading's coordinate counts 1 (per mm), a certified
+/// distance as much as the readings that define its ends, √(number of readings).
+Weights unit_weights(const Constraints& constraints);
+
+/// Weights for one noise of `sigma` mm in every coordinate: a reading counts 1/√(σ² + u²), u being what its
+/// measured length or coordinates are uncertain by; a distance 1/u.
+Weights uniform_weights(const Constraints& constraints, double sigma);
+
+/// Weights for `encoder` noise (rad, every joint alone) and `probing` noise (mm, every coordinate): a
+/// reading's covariance at its posture is probing²·1 + encoder²·Σ g gᵀ, g the tip's motion by a joint.
+/// Readings with a long lever count less, and less across it than along it.
+Weights posture_weights(const System& system, const Arm& arm, const Unknowns& unknowns, double encoder, double probing);
+
+}  // namespace artcal
