@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -14,7 +15,7 @@ class Labels {
  public:
   int index_of(std::string_view name);                  ///< adds the name if it is new
   [[nodiscard]] int find(std::string_view name) const;  ///< -1 if unknown
-  [[nodiscard]] const std::string& name(int index) const { return names_[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] const std::string& name(int index) const { return names_[index]; }
   [[nodiscard]] int size() const { return static_cast<int>(names_.size()); }
 
  private:
@@ -25,17 +26,20 @@ class Labels {
 /// One reading's labels and whatever was read beside the joints. The joint angles themselves stand in
 /// Recording::joints, a column a reading.
 struct Reading {
-  int artefact = 0;           ///< into Recording::artefacts
-  int placement = 0;          ///< into Recording::placements
-  int feature = 0;            ///< into Recording::features
-  int orientation = 0;        ///< into Recording::orientations: the posture of the wrist, where it is told
-  int repeat = 0;             ///< into Recording::repeats
-  int probe = 0;              ///< into Arm::probes
-  double temperature;         ///< of the artefact, °C; NaN where it was not read
-  double length;              ///< measured from the tip to the feature's anchor, mm; NaN where there is none
-  Eigen::Vector3d reference;  ///< the tip's coordinates by another instrument, mm; NaN where there are none
-  int file = 0;               ///< into Recording::files
-  int line = 0;               ///< in that file, from 1
+  static constexpr double not_read = std::numeric_limits<double>::quiet_NaN();
+
+  int artefact = 0;               ///< into Recording::artefacts
+  int placement = 0;              ///< into Recording::placements
+  int feature = 0;                ///< into Recording::features
+  int orientation = 0;            ///< into Recording::orientations: the posture of the wrist, where it is told
+  int repeat = 0;                 ///< into Recording::repeats
+  int probe = 0;                  ///< into Arm::probes
+  double temperature = not_read;  ///< of the artefact, °C; NaN where it was not read
+  double length = not_read;       ///< measured from the tip to the feature's anchor, mm; NaN where there is none
+  /// The tip's coordinates by another instrument, mm; NaN where there are none.
+  Eigen::Vector3d reference = Eigen::Vector3d::Constant(not_read);
+  int file = 0;  ///< into Recording::files
+  int line = 0;  ///< in that file, from 1
 };
 
 }  // namespace artcal

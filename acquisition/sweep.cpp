@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 namespace artcal {
 
 /// The axes one joint turns or slides on, in the base frame.
@@ -48,17 +50,17 @@ Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe
                       std::cos(joint.alpha), std::sin(joint.beta), std::cos(joint.beta),
                       joint.has_beta || joint.beta != 0.0, -1, -1, -1, -1, -1});
   }
-  Eigen::Vector3d::Map(tip_) = arm.probes[static_cast<std::size_t>(probe)].tip_in_last;
+  Eigen::Vector3d::Map(tip_) = arm.probes[probe].tip_in_last;
   std::fill(std::begin(column_tip_), std::end(column_tip_), -1);
   for (int column = 0; column < columns_; ++column) {
-    const Parameter& parameter = parameters[static_cast<std::size_t>(column)];
+    const Parameter& parameter = parameters[column];
     if (parameter.is_tip()) {
       if (parameter.owner == probe) {
         column_tip_[static_cast<int>(parameter.kind) - static_cast<int>(ParameterKind::TipX)] = column;
       }
       continue;
     }
-    Link& link = links_[static_cast<std::size_t>(parameter.owner)];
+    Link& link = links_[parameter.owner];
     switch (parameter.kind) {
       case ParameterKind::A: link.column_a = column; break;
       case ParameterKind::D: link.column_d = column; break;

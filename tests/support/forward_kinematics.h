@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "acquisition/arm.h"
 #include "acquisition/parameters.h"
@@ -94,7 +94,7 @@ Transform<T> base_from_last(const ArmNumbers<T>& arm, const std::vector<T>& q) {
 /// The centre of the probe's tip in the base frame, mm.
 template <typename T>
 Eigen::Matrix<T, 3, 1> tip_in_base(const ArmNumbers<T>& arm, const std::vector<T>& q, int probe) {
-  return (base_from_last(arm, q) * arm.tips[static_cast<std::size_t>(probe)].homogeneous()).template head<3>();
+  return (base_from_last(arm, q) * arm.tips[probe].homogeneous()).template head<3>();
 }
 
 }  // namespace artcal::testing
