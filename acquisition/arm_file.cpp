@@ -1,5 +1,6 @@
 #include "acquisition/arm_file.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -84,15 +85,20 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
   const auto parameters = parameters_of(arm);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& name = known.parameters[i];
+  std::set<std::string> seen;
+  for (const auto& name : known.parameters) {
     if (find_parameter(parameters, name) < 0) {
       table.fail("parameters", fmt::format("{} is not a parameter of this arm", in_quotes(name)));
+    } else if (!seen.insert(name).second) {
+      table.fail("parameters", fmt::format("{} is there twice", in_quotes(name)));
     }
-    if (rows.size() != known.parameters.size() || rows[i].size() != rows.size()) {
-      table.fail("covariance", fmt::format("the covariance is not {} rows of {} numbers", size, size));
-      return std::nullopt;
-    }
+  }
+  const auto fits = [size](const auto& row) { return static_cast<Eigen::Index>(row.size()) == size; };
+  if (!fits(rows) || !std::all_of(rows.begin(), rows.end(), fits)) {
+    table.fail("covariance", fmt::format("the covariance is not {} rows of {} numbers", size, size));
+    return std::nullopt;
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
     known.covariance.row(i) = Eigen::RowVectorXd::Map(rows[i].data(), size);
   }
   return known;

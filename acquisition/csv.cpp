@@ -148,7 +148,7 @@ Expected<bool> CsvReader::next() {
 
 Expected<double> CsvReader::number(std::size_t column, std::string_view expected) const {
   std::string_view text = field(column);
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
