@@ -1,1 +1,40 @@
+# What `cmake --install` and `cpack` deliver: the program, and the libraries for other CMake projects
+# (find_package(artcal), docs/library.md). Whatever layers exist are taken from ARTCAL_LAYERS.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
 
+get_property(layers GLOBAL PROPERTY ARTCAL_LAYERS)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/artcal)
+
+# Outside, one writes <artcal/acquisition/sweep.h>; the headers themselves say "acquisition/arm.h", which
+# the header set's own destination serves.
+foreach(layer IN LISTS layers)
+  target_include_directories(${layer} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endforeach()
+install(TARGETS ${layers}
+        EXPORT artcalTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/artcal COMPONENT development)
+install(EXPORT artcalTargets NAMESPACE artcal:: DESTINATION ${config_dir} COMPONENT development)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/artcalConfig.cmake.in artcalConfig.cmake
+                              INSTALL_DESTINATION ${config_dir} NO_SET_AND_CHECK_MACRO)
+# Before 1.0 a minor release may change the interface.
+write_basic_package_version_file(artcalConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/artcalConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/artcalConfigVersion.cmake
+        DESTINATION ${config_dir} COMPONENT development)
+
+if(TARGET artcal_program)
+  install(TARGETS artcal_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endif()
+install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/artcal/examples COMPONENT program)
+
+foreach(component_and_package program:artcal development:libartcal-dev)
+  string(REPLACE ":" ";" pair ${component_and_package})
+  list(GET pair 0 component)
+  list(GET pair 1 package)
+  set(doc_dir ${CMAKE_INSTALL_DATADIR}/doc/${package})
+  install(FILES LICENSE DESTINATION ${doc_dir} COMPONENT ${component} RENAME copyright)
+  install(FILES CHANGELOG.md DESTINATION ${doc_dir} COMPONENT ${component})
+endforeach()
+
+include(cmake/packages.cmake)
