@@ -48,7 +48,7 @@ struct CouplingOptions {
   std::vector<std::string> rather_free;  ///< and these last
   double angle_scale = 0.0;              ///< mm; 0 takes the reach
   double lost_below = 1e-10;             ///< σ/σ1; a lost direction comes out at 1e-13 and a weak one at 1e-4
-  double weak_below = 1e-2;              ///< σ/σ1
+  double weak_below = 2e-2;              ///< σ/σ1: a fiftieth of the best direction is poor
 };
 
 /// Linearises the constraints at the arm, with every reading on its constraint (see make_consistent),

@@ -1,0 +1,119 @@
+#include "identification/arm_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/statistics.h"
+#include "identification/settle.h"
+#include "identification/weights.h"
+
+namespace artcal {
+namespace {
+
+constexpr int max_rounds = 20;
+constexpr double noise_stands = 1e-4;  // relative change at which the noise has settled
+// Readings that agree to the last bit (simulated without noise) must not get infinite weight.
+constexpr double least_noise = 1e-9;  // mm
+
+Weights first_weights(const System& system, const Arm& arm, const Unknowns& unknowns, const Noise& noise) {
+  if (noise.encoder) {
+    return posture_weights(system, arm, unknowns, *noise.encoder, *noise.probing);
+  }
+  return noise.reading ? uniform_weights(*system.constraints, *noise.reading) : unit_weights(*system.constraints);
+}
+
+// Factor by which the noise in use is to be multiplied so that the residuals have their expected size.
+double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, Loss loss) {
+  if (loss != Loss::None) {
+    std::vector<double> sizes;
+    for (const auto& feature : residuals.readings) {
+      std::transform(feature.begin(), feature.end(), std::back_inserter(sizes), [](double r) { return std::abs(r); });
+    }
+    const double unbias = std::sqrt(static_cast<double>(sizes.size()) / degrees_of_freedom);
+    return 1.4826 * median(sizes) * unbias;
+  }
+  const double left = std::max(0.5 * degrees_of_freedom, degrees_of_freedom - residuals.distances_squared());
+  return std::sqrt(residuals.readings_squared() / left);
+}
+
+// The noise a coordinate that weights stand for: the median, where postures differ.
+double typical_noise(const Weights& weights) {
+  std::vector<double> sigmas;
+  for (const auto& feature : weights.features) {
+    for (const double weight : feature.scalar) {
+      sigmas.push_back(1.0 / weight);
+    }
+    for (const auto& matrix : feature.matrix) {
+      sigmas.push_back(1.0 / std::cbrt(matrix.determinant()));
+    }
+  }
+  return median(sigmas);
+}
+
+}  // namespace
+
+Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
+                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options) {
+  const System system = make_system(recording, constraints, start, free);
+  auto unknowns = settle(system, start, recording);
+  if (!unknowns) {
+    return tl::unexpected(unknowns.error());
+  }
+  ArmFit fit;
+  const int residuals = constraints.reading_residual_count() + constraints.binding_distance_count();
+  fit.degrees_of_freedom = residuals - constraints.unknown_count() - system.arm_size();
+  if (fit.degrees_of_freedom < 1) {
+    return no_solution(
+        fmt::format("{} residuals cannot determine {} parameters and {} unknown coordinates with "
+                    "anything left to judge them by; take more readings or hold parameters",
+                    residuals, system.arm_size(), constraints.unknown_count()));
+  }
+  fit.arm = start;
+  fit.unknowns = std::move(*unknowns);
+  fit.weights = first_weights(system, fit.arm, fit.unknowns, noise);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.arm_size());
+  double sigma = 1.0;
+  for (bool standing = false; !standing && fit.rounds < max_rounds;) {
+    // Until the noise is known a robust loss would not know what is far.
+    const bool noise_is_known = noise.is_given() || fit.rounds > 0;
+    const SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations};
+    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round);
+    ++fit.rounds;
+    fit.iterations += solution.iterations;
+    fit.termination = solution.message;
+    if (solution.termination != Termination::Converged) {
+      return no_solution(
+          fmt::format("the solver did not converge ({}); is the arm's file the arm that was read, with "
+                      "the right joint signs and units?",
+                      solution.message));
+    }
+    x = solution.x;
+    fit.unknowns = std::move(solution.unknowns);
+    fit.arm = system.arm_at(x.data());
+    fit.cost = solution.final_cost;
+    fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+    if (noise.reading) {
+      standing = true;
+    } else if (noise.encoder) {
+      // Once more with the noise at the identified arm's postures.
+      standing = fit.rounds == 2;
+      if (!standing) {
+        fit.weights = posture_weights(system, fit.arm, fit.unknowns, *noise.encoder, *noise.probing);
+      }
+    } else {
+      const double better =
+          std::max(least_noise, sigma * noise_factor(fit.residuals, fit.degrees_of_freedom, options.loss));
+      standing = fit.rounds > 1 && std::abs(better - sigma) <= noise_stands * sigma;
+      if (!standing) {
+        sigma = better;
+        fit.weights = uniform_weights(constraints, sigma);
+      }
+    }
+  }
+  fit.noise = typical_noise(fit.weights);
+  return fit;
+}
+
+}  // namespace artcal

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/error.h"
+#include "identification/covariance.h"
+#include "identification/problem.h"
+#include "identification/system.h"
+
+namespace artcal {
+
+/// One least-squares identification with its noise settled.
+struct ArmFit {
+  Arm arm;
+  Unknowns unknowns;
+  Weights weights;              ///< in force at the end
+  WhitenedResiduals residuals;  ///< under these
+  double noise = 0.0;           ///< mm a coordinate; the median over postures where it depends on them
+  int degrees_of_freedom = 0;
+  int iterations = 0;
+  int rounds = 0;  ///< solves, each with better weights
+  double cost = 0.0;
+  std::string termination;
+};
+
+/// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and
+/// certified distances together have the χ² of their degrees of freedom; with a robust loss from the
+/// median absolute deviation), sets the weights accordingly, and solves again until the noise stands.
+/// `start` holds the free parameters' start and all others' values.
+/// No solution: no degree of freedom left, no convergence.
+Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
+                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options);
+
+}  // namespace artcal

@@ -1,0 +1,87 @@
+#include "identification/covariance.h"
+
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/SVD>
+
+#include "identification/linearised.h"
+#include "identification/rows.h"
+
+namespace artcal {
+namespace {
+
+double squared(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+double reading_squared(const std::vector<double>& residuals, int reading, int dimension) {
+  return Eigen::VectorXd::Map(residuals.data() + reading * dimension, dimension).squaredNorm();
+}
+
+// A reading under a loss ρ counts ρ'(s) of its least-squares weight.
+void apply_loss(const Constraints& constraints, const WhitenedResiduals& residuals, Loss loss, Weights& weights) {
+  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
+    const FeatureConstraint& feature = constraints.features[f];
+    for (int k = 0; k < feature.size(); ++k) {
+      const double s = reading_squared(residuals.readings[f], k, feature.dimension()) / feature.dimension();
+      const double factor = std::sqrt(loss_at(loss, s).slope);
+      if (weights.features[f].matrix.empty()) {
+        weights.features[f].scalar[k] *= factor;
+      } else {
+        weights.features[f].matrix[k] *= factor;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double WhitenedResiduals::readings_squared() const {
+  return std::accumulate(readings.begin(), readings.end(), 0.0,
+                         [](double sum, const auto& feature) { return sum + squared(feature); });
+}
+
+double WhitenedResiduals::distances_squared() const { return squared(distances); }
+
+WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
+                                     const Unknowns& unknowns) {
+  const Constraints& constraints = *system.constraints;
+  const auto sweeps = sweeps_of(system, arm);
+  const GroupState none;
+  WhitenedResiduals residuals;
+  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
+    const FeatureConstraint& feature = constraints.features[f];
+    const GroupState& group = feature.group < 0 ? none : unknowns[feature.group];
+    auto& out = residuals.readings.emplace_back(static_cast<std::size_t>(feature.size() * feature.dimension()));
+    weighted_rows(system, feature, weights.features[f], sweeps, group.reference, group.values.data(), 0, feature.size(),
+                  {out.data(), nullptr, nullptr});
+  }
+  for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
+    const DistanceConstraint& distance = constraints.distances[d];
+    if (distance.binds) {
+      const auto& values = unknowns[constraints.features[distance.first].group].values;
+      residuals.distances.push_back(
+          weighted_distance(distance, constraints, weights.distances[d], values.data(), nullptr));
+    }
+  }
+  return residuals;
+}
+
+std::optional<Eigen::MatrixXd> arm_covariance(const System& system, Weights weights, const Arm& arm,
+                                              const Unknowns& unknowns, Loss loss) {
+  if (loss != Loss::None) {
+    const auto residuals = whitened_residuals(system, weights, arm, unknowns);
+    apply_loss(*system.constraints, residuals, loss, weights);
+  }
+  const Eigen::MatrixXd triangle = arm_triangle(system, weights, arm, unknowns);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {
+    return std::nullopt;
+  }
+  const Eigen::MatrixXd root = system.scale.asDiagonal() * svd.matrixV() * sigma.cwiseInverse().asDiagonal();
+  return root * root.transpose();
+}
+
+}  // namespace artcal

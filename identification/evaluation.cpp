@@ -1,0 +1,92 @@
+#include "identification/evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "identification/residual.h"
+#include "identification/settle.h"
+
+namespace artcal {
+namespace {
+
+/// Sums of a set of deviations.
+struct Sum {
+  int count = 0;
+  double squares = 0.0;
+  double maximum = 0.0;
+
+  void add(double deviation) {
+    ++count;
+    squares += deviation * deviation;
+    maximum = std::max(maximum, std::abs(deviation));
+  }
+  void add(const Sum& other) {
+    count += other.count;
+    squares += other.squares;
+    maximum = std::max(maximum, other.maximum);
+  }
+  [[nodiscard]] FeatureDeviation named(FeatureName name) const {
+    return {std::move(name), count, count == 0 ? 0.0 : std::sqrt(squares / count), maximum};
+  }
+};
+
+Eigen::Vector3d point_in_base(const FeatureConstraint& feature, const Unknowns& unknowns) {
+  switch (feature.location) {
+    case Location::Unknown: return unknowns[feature.group].values.segment<3>(feature.offset);
+    case Location::Posed: return base_from_artefact(unknowns[feature.group]) * feature.known.front();
+    case Location::Base: break;
+  }
+  return feature.known.front();
+}
+
+}  // namespace
+
+Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm) {
+  const System system = make_system(recording, constraints, arm, {});
+  const auto unknowns = settle(system, arm, recording);
+  if (!unknowns) {
+    return tl::unexpected(unknowns.error());
+  }
+  const auto sweeps = sweeps_of(system, arm);
+  Evaluation evaluation;
+  std::map<std::pair<int, int>, Sum> placements;
+  std::map<int, Sum> artefacts;
+  Sum overall;
+  for (const auto& feature : constraints.features) {
+    const GroupState none;
+    const GroupState& group = feature.group < 0 ? none : (*unknowns)[feature.group];
+    const FeatureResidual residual(feature, group.reference, group.values.data());
+    Sum sum;
+    for (int k = 0; k < feature.size(); ++k) {
+      const int reading = feature.readings[k];
+      const Eigen::Vector3d tip = sweeps[system.probes[reading]].tip_in_base(system.sines_of(reading));
+      const Residual r = residual.at(k, tip, false);
+      evaluation.deviations.push_back(r.rows == 1 ? r.value[0] : r.value.norm());
+      sum.add(evaluation.deviations.back());
+    }
+    evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
+    placements[{feature.artefact, feature.placement}].add(sum);
+    artefacts[feature.artefact].add(sum);
+    overall.add(sum);
+  }
+  for (const auto& [key, sum] : placements) {
+    evaluation.placements.push_back(
+        sum.named({constraints.artefacts[key.first].name, recording.placements.name(key.second), ""}));
+  }
+  for (const auto& [artefact, sum] : artefacts) {
+    evaluation.artefacts.push_back(sum.named({constraints.artefacts[artefact].name, "", ""}));
+  }
+  evaluation.overall = overall.named({});
+  for (const auto& distance : constraints.distances) {
+    const FeatureConstraint& first = constraints.features[distance.first];
+    const FeatureConstraint& second = constraints.features[distance.second];
+    const double measured = (point_in_base(first, *unknowns) - point_in_base(second, *unknowns)).norm();
+    evaluation.lengths.push_back({name_of(first, constraints, recording),
+                                  name_of(second, constraints, recording).feature, distance.value,
+                                  measured - distance.value});
+  }
+  return evaluation;
+}
+
+}  // namespace artcal

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "artefacts/constraint.h"
+#include "core/error.h"
+
+namespace artcal {
+
+/// How far the readings of one feature are from what it demands of them, mm: the distance of the tip from
+/// the common point (point, coordinates), or the deviation from a ball's surface or a measured length.
+struct FeatureDeviation {
+  FeatureName name;
+  int readings = 0;
+  double rms = 0.0;
+  double maximum = 0.0;
+};
+
+/// A certified distance as the arm measures it between the fitted points or centres, mm.
+struct LengthDeviation {
+  FeatureName first;
+  std::string second;      ///< the other feature, same artefact and placement
+  double certified = 0.0;  ///< at the temperature of the placement
+  double error = 0.0;      ///< measured − certified
+};
+
+/// How well an arm explains readings. Each feature is fitted by itself from the arm's points, so that a
+/// length is measured and not fitted.
+struct Evaluation {
+  std::vector<FeatureDeviation> features;    ///< as Constraints::features
+  std::vector<FeatureDeviation> placements;  ///< the same over the features of one artefact in one placement
+  std::vector<FeatureDeviation> artefacts;   ///< and over the placements of one artefact
+  std::vector<LengthDeviation> lengths;      ///< as Constraints::distances
+  FeatureDeviation overall;
+  std::vector<double> deviations;  ///< of each reading in order of the features, signed for balls and lengths
+};
+
+Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm);
+
+}  // namespace artcal

@@ -1,0 +1,214 @@
+#include "identification/identify.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/statistics.h"
+#include "core/units.h"
+#include "identification/arm_fit.h"
+#include "identification/leave_out.h"
+#include "identification/lost_text.h"
+#include "identification/outliers.h"
+#include "identification/selection.h"
+#include "identification/start.h"
+
+namespace artcal {
+namespace {
+
+/// What is settled before anything is solved.
+struct Preparation {
+  Arm start;
+  Coupling coupling;
+  std::vector<Parameter> free;
+};
+
+Error scale_is_lost() {
+  return {
+      ErrorCode::NoSolution,
+      "no calibrated length is in these readings, so the scale of the arm cannot be told: all lengths could grow "
+      "together and every reading would still fit. Measure a certified length as well: a ball bar or a bar with two "
+      "seats (at least one distance with its U), balls of known diameter, or points of known coordinates",
+      {}};
+}
+
+Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
+                              const IdentifyOptions& options) {
+  const Arm& nominal = recording.arm;
+  const auto selection = select_parameters(nominal, options.hold, options.free);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  const auto start = arm_with_fitted_tips(recording, constraints, nominal, options.hold);
+  if (!start) {
+    return tl::unexpected(start.error());
+  }
+  auto coupling = analyse_coupling(recording, constraints, *start, coupling_options(*selection));
+  if (!coupling) {
+    return tl::unexpected(coupling.error());
+  }
+  if (coupling->scale == ScaleState::Lost) {
+    return tl::unexpected(scale_is_lost());
+  }
+  auto free = free_parameters(*selection, *coupling);
+  if (!free) {
+    return tl::unexpected(free.error());
+  }
+  if (free->empty()) {
+    return no_solution("nothing is left to identify: every parameter is held or lost");
+  }
+  // Held parameters stay nominal, fitted tip or not.
+  Preparation preparation{nominal, std::move(*coupling), std::move(*free)};
+  for (const Parameter& parameter : preparation.free) {
+    set_value(preparation.start, parameter, value(*start, parameter));
+  }
+  return preparation;
+}
+
+std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identified, const Preparation& preparation,
+                                          const Eigen::MatrixXd& covariance) {
+  std::vector<IdentifiedParameter> all;
+  const auto is_lost = [&](const std::string& name) {
+    return std::any_of(
+        preparation.coupling.lost.begin(), preparation.coupling.lost.end(),
+        [&](const ParameterMotion& motion) { return preparation.coupling.parameters[motion.leading].name == name; });
+  };
+  const auto pairs = wrist_pairs(nominal);
+  const auto in_pair = [&](const std::string& name) {
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const WristPair& pair) { return pair.first == name || pair.second == name; });
+  };
+  for (const Parameter& parameter : parameters_of(nominal)) {
+    const int free = find_parameter(preparation.free, parameter.name);
+    const ParameterState state = free >= 0                                             ? ParameterState::Identified
+                                 : is_lost(parameter.name) && !in_pair(parameter.name) ? ParameterState::Lost
+                                                                                       : ParameterState::Held;
+    all.push_back({parameter, value(nominal, parameter), value(identified, parameter),
+                   free >= 0 ? std::sqrt(covariance(free, free)) : 0.0, state});
+  }
+  return all;
+}
+
+// Things that are no error but that a careful person would want to know.
+std::vector<std::string> suspicions(const Identification& result, double length) {
+  std::vector<std::string> warnings;
+  for (const auto& parameter : result.parameters) {
+    const double moved = std::abs(parameter.identified - parameter.nominal);
+    if (parameter.parameter.is_angle() && moved > 5.0 * units::degree) {
+      warnings.push_back(
+          fmt::format("{} moved by {:.3g} deg from its nominal value: are joint order, signs and units "
+                      "right?",
+                      parameter.parameter.name, moved / units::degree));
+    } else if (!parameter.parameter.is_angle() && moved > 0.05 * length) {
+      warnings.push_back(fmt::format("{} moved by {:.4g} mm from its nominal value: is this the arm that was read?",
+                                     parameter.parameter.name, moved));
+    }
+  }
+  if (result.after.overall.rms > result.before.overall.rms) {
+    warnings.push_back("the identified arm fits the readings no better than the nominal one");
+  }
+  double squares = 0.0;
+  int count = 0;
+  for (const auto& left : result.left_out) {
+    squares += left.deviation.readings * left.deviation.rms * left.deviation.rms;
+    count += left.deviation.readings;
+  }
+  if (count > 0 && std::sqrt(squares / count) > 1.5 * result.after.overall.rms) {
+    warnings.push_back(
+        fmt::format("placements that were left out fit {:.1f} times worse than those identified from: "
+                    "the readings are few, or too much alike, for so many parameters",
+                    std::sqrt(squares / count) / result.after.overall.rms));
+  }
+  return warnings;
+}
+
+void judge_noise(const ArmFit& fit, Identification& result) {
+  result.noise = fit.noise;
+  result.degrees_of_freedom = fit.degrees_of_freedom;
+  result.chi_squared = fit.residuals.readings_squared() + fit.residuals.distances_squared();
+  result.chi_squared_low = chi_squared_quantile(0.025, fit.degrees_of_freedom);
+  result.chi_squared_high = chi_squared_quantile(0.975, fit.degrees_of_freedom);
+  if (!result.noise_is_given) {
+    return;
+  }
+  if (result.chi_squared > result.chi_squared_high) {
+    result.enlargement = std::sqrt(result.chi_squared / fit.degrees_of_freedom);
+    result.warnings.push_back(
+        fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
+                    "the noise is larger, or the arm has errors this model does not know; all "
+                    "standard uncertainties were enlarged by that factor",
+                    result.enlargement));
+  } else if (result.chi_squared < result.chi_squared_low) {
+    result.warnings.push_back(
+        fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
+                    "too large, and so are the standard uncertainties",
+                    std::sqrt(result.chi_squared / fit.degrees_of_freedom)));
+  }
+}
+
+}  // namespace
+
+Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
+                                  const IdentifyOptions& options) {
+  auto preparation = prepare(recording, constraints, options);
+  if (!preparation) {
+    return tl::unexpected(preparation.error());
+  }
+  const SolveOptions solve_options{options.loss, options.max_iterations};
+  const auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise, solve_options);
+  if (!fit) {
+    return tl::unexpected(fit.error());
+  }
+  const System system = make_system(recording, constraints, preparation->start, preparation->free);
+  const auto covariance = arm_covariance(system, fit->weights, fit->arm, fit->unknowns, options.loss);
+  if (!covariance) {
+    return no_solution(
+        "the readings determine the parameters at the nominal arm but not at the identified one; hold "
+        "the parameters that the coupling analysis calls weak");
+  }
+  const auto before = evaluate(recording, constraints, recording.arm);
+  const auto after = evaluate(recording, constraints, fit->arm);
+  for (const auto* judged : {&before, &after}) {
+    if (!*judged) {
+      return tl::unexpected(judged->error());
+    }
+  }
+  Identification result;
+  result.arm = fit->arm;
+  result.noise_is_given = options.noise.is_given();
+  judge_noise(*fit, result);
+  result.covariance = result.enlargement * result.enlargement * *covariance;
+  result.parameters = describe(recording.arm, fit->arm, *preparation, result.covariance);
+  for (const Parameter& parameter : preparation->free) {
+    result.free.push_back(find_parameter(parameters_of(recording.arm), parameter.name));
+  }
+  result.before = *before;
+  result.after = *after;
+  result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);
+  result.iterations = fit->iterations;
+  result.noise_rounds = fit->rounds;
+  result.cost = fit->cost;
+  result.termination = fit->termination;
+  if (options.leave_out) {
+    IdentifyOptions again = options;
+    if (!options.noise.is_given()) {
+      again.noise.reading = fit->noise;
+    }
+    const auto identify_without = [&](const Constraints& rest) -> Expected<Arm> {
+      const auto prepared = prepare(recording, rest, again);
+      if (!prepared) {
+        return tl::unexpected(prepared.error());
+      }
+      return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options)
+          .map([](const ArmFit& refit) { return refit.arm; });
+    };
+    result.left_out = leave_placements_out(recording, constraints, identify_without, options.threads);
+  }
+  result.coupling = std::move(preparation->coupling);
+  const auto more = suspicions(result, reach(recording.arm));
+  result.warnings.insert(result.warnings.end(), more.begin(), more.end());
+  return result;
+}
+
+}  // namespace artcal

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "acquisition/recording.h"
+#include "artefacts/constraint.h"
+#include "core/error.h"
+#include "identification/coupling.h"
+#include "identification/evaluation.h"
+#include "identification/loss.h"
+
+namespace artcal {
+
+struct IdentifyOptions {
+  std::vector<std::string> hold;  ///< parameters to keep at their nominal value
+  std::vector<std::string> free;  ///< parameters to identify although they are held by default (a6, d6, …)
+  Loss loss = Loss::None;
+  Noise noise;            ///< given, or else estimated from the residuals
+  bool leave_out = true;  ///< identify once more without each placement
+  int max_iterations = 100;
+  int threads = 0;  ///< for leaving out; 0 takes all. The result does not depend on it
+};
+
+/// What became of a parameter.
+enum class ParameterState {
+  Identified,  ///< found from the readings, with a standard uncertainty
+  Held,        ///< kept at its nominal value: asked for, or the last joint's a and d
+  Lost,        ///< kept at its nominal value: the readings cannot tell it
+};
+
+struct IdentifiedParameter {
+  Parameter parameter;
+  double nominal = 0.0;  ///< mm or rad
+  double identified = 0.0;
+  double u = 0.0;  ///< standard uncertainty; 0 and without meaning unless Identified
+  ParameterState state = ParameterState::Identified;
+};
+
+/// A reading whose standardised residual is larger than chance allows among so many.
+struct Outlier {
+  int reading = 0;  ///< into Recording::readings
+  FeatureName name;
+  double standardised = 0.0;  ///< length of the residual in standard deviations
+  double limit = 0.0;         ///< what chance allows of it
+  double deviation = 0.0;     ///< mm
+};
+
+/// One placement judged by an arm that was identified without it.
+struct LeftOut {
+  FeatureDeviation deviation;  ///< overall of the placement
+  std::vector<LengthDeviation> lengths;
+  std::string refusal;  ///< why it could not be left out; empty if it could
+};
+
+struct Identification {
+  Arm arm;
+  std::vector<IdentifiedParameter> parameters;
+  std::vector<int> free;       ///< indices into parameters, in the order of the covariance
+  Eigen::MatrixXd covariance;  ///< of these, in mm and rad
+  Coupling coupling;
+  Evaluation before, after;
+  std::vector<LeftOut> left_out;
+  std::vector<Outlier> outliers;
+
+  bool noise_is_given = false;
+  double noise = 0.0;        ///< mm a coordinate: given, estimated, or the median over the postures
+  double chi_squared = 0.0;  ///< of the fit against the noise in use
+  int degrees_of_freedom = 0;
+  double chi_squared_low = 0.0;  ///< 95 % of sound fits lie between these two
+  double chi_squared_high = 0.0;
+  double enlargement = 1.0;  ///< factor on all u, because the readings are noisier than was stated
+
+  int iterations = 0;
+  int noise_rounds = 0;
+  double cost = 0.0;  ///< half the weighted sum of squares
+  std::string termination;
+  std::vector<std::string> warnings;
+};
+
+/// Finds the arm's structural parameters from readings on artefacts.
+/// Usage: an unknown name in hold or free, both members of a wrist pair asked to be free.
+/// No solution: no calibrated length (scale is lost), fewer residuals than unknowns, a parameter asked to
+/// be free that the readings cannot tell, no convergence.
+Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
+                                  const IdentifyOptions& options = {});
+
+}  // namespace artcal

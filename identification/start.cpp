@@ -1,0 +1,51 @@
+#include "identification/start.h"
+
+#include <algorithm>
+
+#include <Eigen/SVD>
+
+#include "identification/linearised.h"
+#include "identification/problem.h"
+#include "identification/settle.h"
+#include "identification/weights.h"
+
+namespace artcal {
+namespace {
+
+// Below this σ/σ1 the readings hardly show some direction of the tip.
+constexpr double shown_well = 1e-3;
+
+std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>& held) {
+  std::vector<Parameter> tips;
+  for (const Parameter& parameter : parameters_of(arm)) {
+    if (parameter.is_tip() && !arm.probes[parameter.owner].on_axis &&
+        std::find(held.begin(), held.end(), parameter.name) == held.end()) {
+      tips.push_back(parameter);
+    }
+  }
+  return tips;
+}
+
+}  // namespace
+
+Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints& constraints, const Arm& nominal,
+                                   const std::vector<std::string>& held) {
+  const auto tips = rough_tips(nominal, held);
+  if (tips.empty()) {
+    return nominal;
+  }
+  const System system = make_system(recording, constraints, nominal, tips);
+  auto unknowns = settle(system, nominal, recording);
+  if (!unknowns) {
+    return tl::unexpected(unknowns.error());
+  }
+  const Weights weights = unit_weights(constraints);
+  const Eigen::VectorXd sigma = arm_triangle(system, weights, nominal, *unknowns).jacobiSvd().singularValues();
+  if (sigma.minCoeff() <= shown_well * sigma.maxCoeff()) {
+    return nominal;
+  }
+  const Solution solution = solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
+  return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
+}
+
+}  // namespace artcal
