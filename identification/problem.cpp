@@ -108,10 +108,11 @@ ceres::Solver::Options solver_options(const SolveOptions& options) {
   ceres_options.logging_type = ceres::SILENT;
   // Gauss-Newton first; the region shrinks fast where that does not lower the cost.
   ceres_options.initial_trust_region_radius = 1e16;
-  // Stop where a step moves nothing that matters (a part in 1e12), not where the cost happens to be flat.
-  ceres_options.function_tolerance = 0.0;
+  // Stop where a step moves nothing that matters (0.3 nm on an arm and its placements), or where the cost
+  // has come down to its own rounding; the gradient's size has no unit to judge it by.
+  ceres_options.parameter_tolerance = 1e-10;
+  ceres_options.function_tolerance = 1e-14;
   ceres_options.gradient_tolerance = 0.0;
-  ceres_options.parameter_tolerance = 1e-12;
   return ceres_options;
 }
 
