@@ -76,7 +76,7 @@ std::string CsvReader::where_byte(std::size_t offset) const {
 // A quoted field may hold commas and doubled quotes, but no line end: no label has one, and a quote left
 // open would otherwise swallow the rest of the file.
 Expected<void> CsvReader::read_field() {
-  const auto start = static_cast<std::size_t>(fields_.size() == 0 ? 0 : starts_.back());
+  const auto start = fields_.empty() ? 0 : starts_.back();
   const std::string_view rest = row_.substr(start);
   std::size_t i = rest.find_first_not_of(" \t");
   std::size_t end = rest.find(',');

@@ -43,15 +43,15 @@ void joint_sines(std::span<const double> q, std::span<double> sines) {
 }
 
 Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
-    : convention_(arm.convention), columns_(static_cast<int>(parameters.size())) {
+    : convention_(arm.convention),
+      tip_in_last_(arm.probes[probe].tip_in_last),
+      columns_(static_cast<int>(parameters.size())) {
   assert(static_cast<int>(arm.joints.size()) <= max_joints);
   for (const Joint& joint : arm.joints) {
     links_.push_back({joint.a, joint.d, joint.sign, std::sin(joint.theta), std::cos(joint.theta), std::sin(joint.alpha),
                       std::cos(joint.alpha), std::sin(joint.beta), std::cos(joint.beta),
                       joint.has_beta || joint.beta != 0.0, -1, -1, -1, -1, -1});
   }
-  Eigen::Vector3d::Map(tip_) = arm.probes[probe].tip_in_last;
-  std::fill(std::begin(column_tip_), std::end(column_tip_), -1);
   for (int column = 0; column < columns_; ++column) {
     const Parameter& parameter = parameters[column];
     if (parameter.is_tip()) {
@@ -119,7 +119,7 @@ Eigen::Vector3d Sweep::walk(JointSines sines, Visit&& visit) const {
   frame.y = y;
   frame.z = z;
   visit(links_.size(), frame);
-  return p + tip_[0] * x + tip_[1] * y + tip_[2] * z;
+  return p + tip_in_last_.x() * x + tip_in_last_.y() * y + tip_in_last_.z() * z;
 }
 
 Eigen::Vector3d Sweep::tip_in_base(JointSines sines) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -61,8 +62,8 @@ class Sweep {
 
   Convention convention_;
   std::vector<Link> links_;
-  double tip_[3];
-  int column_tip_[3];
+  Eigen::Vector3d tip_in_last_;
+  std::array<int, 3> column_tip_{-1, -1, -1};
   int columns_;
 };
 

@@ -26,7 +26,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/artcalConfig.cmake ${CMAKE_CURRENT_BIN
 if(TARGET artcal_program)
   install(TARGETS artcal_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 endif()
-install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/artcal/examples COMPONENT program)
+if(EXISTS ${PROJECT_SOURCE_DIR}/examples)
+  install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/artcal/examples COMPONENT program)
+endif()
 
 foreach(component_and_package program:artcal development:libartcal-dev)
   string(REPLACE ":" ";" pair ${component_and_package})
