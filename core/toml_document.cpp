@@ -343,4 +343,12 @@ Expected<void> TomlDocument::finish() {
   return {};
 }
 
+std::string schema_of(const TextFile& file) {
+  try {
+    return toml::parse(file.text)["schema"].value_or(std::string{});
+  } catch (const toml::parse_error&) {
+    return {};
+  }
+}
+
 }  // namespace artcal

@@ -66,4 +66,7 @@ class TomlDocument {
   TomlTable root_;
 };
 
+/// The `schema` of a TOML text; empty if it has none or is no TOML.
+std::string schema_of(const TextFile& file);
+
 }  // namespace artcal

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace artcal {
+
+/// Runs a command whose options have been parsed; returns the exit code (core/error.h, 0 when done).
+using Run = std::function<int()>;
+
+/// One entry of the program's table of commands: adds its options to the parser and returns what to run.
+struct Command {
+  const char* name;
+  const char* summary;
+  Run (*set_up)(CLI::App& parser);
+};
+
+/// What every command has.
+struct CommonOptions {
+  std::string json;  ///< file for the result as JSON; "-" is standard output
+  bool quiet = false;
+
+  void add_to(CLI::App& parser);
+  /// Whether a person is to be told on standard output.
+  [[nodiscard]] bool talks() const { return !quiet && json != "-"; }
+};
+
+Run set_up_identify(CLI::App& parser);
+Run set_up_coupling(CLI::App& parser);
+
+}  // namespace artcal

@@ -1,0 +1,155 @@
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm_file.h"
+#include "acquisition/recording_file.h"
+#include "app/command.h"
+#include "app/output.h"
+#include "app/result_json.h"
+#include "app/result_text.h"
+#include "artefacts/virtual_probing.h"
+#include "core/toml_document.h"
+#include "identification/coupling.h"
+#include "identification/selection.h"
+#include "identification/start.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  std::string path;
+  std::vector<std::string> hold, free;
+  double angle_scale = 0.0;
+  VirtualProbing probing;
+  bool kind_is_given = false;
+};
+
+/// Readings, real or made up, and what they were made with.
+struct Subject {
+  Recording recording;
+  Constraints constraints;
+  std::optional<std::uint64_t> seed;
+};
+
+Expected<Subject> made_up(const Request& request) {
+  auto file = read_arm_file(request.path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  VirtualRecording made = probe_virtually(file->arm, request.probing);
+  made.recording.name = fmt::format("{} readings at random postures", made.recording.readings.size());
+  made.recording.inputs = {file->input};
+  auto constraints = build_constraints(made.recording, made.artefacts);
+  if (!constraints) {
+    return tl::unexpected(constraints.error());
+  }
+  return Subject{std::move(made.recording), std::move(*constraints), request.probing.seed};
+}
+
+Expected<Subject> recorded(const Request& request) {
+  auto recording = read_recording(request.path);
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  auto constraints = read_constraints(*recording);
+  if (!constraints) {
+    return tl::unexpected(constraints.error());
+  }
+  return Subject{std::move(*recording), std::move(*constraints), std::nullopt};
+}
+
+Expected<Subject> subject_of(const Request& request) {
+  const auto file = read_text_file(request.path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const bool is_arm = schema_of(*file).starts_with("artcal-arm/");
+  if (is_arm && !request.kind_is_given) {
+    return wrong_usage(
+        "this is an arm without readings; say which kind of reading to think of, such as --kind base "
+        "(see artcal coupling --help)");
+  }
+  if (!is_arm && request.kind_is_given) {
+    return wrong_usage("--kind is for an arm alone; this file is a recording, whose readings say what they are");
+  }
+  return is_arm ? made_up(request) : recorded(request);
+}
+
+Expected<int> analyse_and_tell(const Request& request) {
+  const auto subject = subject_of(request);
+  if (!subject) {
+    return tl::unexpected(subject.error());
+  }
+  const Recording& recording = subject->recording;
+  std::vector<std::string> hold = recording.identify.hold;
+  hold.insert(hold.end(), request.hold.begin(), request.hold.end());
+  std::vector<std::string> free = recording.identify.free;
+  free.insert(free.end(), request.free.begin(), request.free.end());
+  const auto selection = select_parameters(recording.arm, hold, free);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  const auto arm = arm_with_fitted_tips(recording, subject->constraints, recording.arm, hold);
+  if (!arm) {
+    return tl::unexpected(arm.error());
+  }
+  CouplingOptions options = coupling_options(*selection);
+  options.angle_scale = request.angle_scale;
+  const auto coupling = analyse_coupling(recording, subject->constraints, *arm, options);
+  if (!coupling) {
+    return tl::unexpected(coupling.error());
+  }
+  if (auto written = write_json(request.common.json, to_json(recording, *coupling, subject->seed)); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (request.common.talks()) {
+    fmt::print("{}", to_text(recording, *coupling));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run set_up_coupling(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("input", request->path, "recording.toml, or arm.toml with --kind")
+      ->required()
+      ->type_name("RECORDING|ARM");
+  const std::map<std::string, ReadingKind> kinds{
+      {"base", ReadingKind::BaseCoordinates}, {"frame", ReadingKind::FrameCoordinates},
+      {"point", ReadingKind::Point},          {"distance", ReadingKind::Distance},
+      {"sphere", ReadingKind::Sphere},        {"length", ReadingKind::Length}};
+  auto* kind = parser.add_option("--kind", request->probing.kind,
+                                 "for an arm alone, the kind of reading: base (known coordinates in the base frame), "
+                                 "frame (in an unknown frame), point (seats), distance (pairs at a certified "
+                                 "distance), sphere (balls of known radius), length (to unknown anchors)");
+  kind->transform(CLI::CheckedTransformer(kinds).description(""))->type_name("KIND");
+  parser.add_option("--readings", request->probing.readings, "how many, at random postures")
+      ->check(CLI::Range(1, 10'000'000))
+      ->needs(kind);
+  parser.add_option("--features", request->probing.features, "points, balls or anchors they are spread over")
+      ->check(CLI::Range(1, 100'000))
+      ->needs(kind);
+  parser.add_option("--seed", request->probing.seed, "of the random postures")->needs(kind);
+  parser.add_option("--hold", request->hold, "parameters taken as known")->delimiter(',')->type_name("NAMES");
+  parser.add_option("--free", request->free, "parameters that are to be free where there is a choice")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  parser
+      .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")
+      ->check(CLI::PositiveNumber);
+  request->common.add_to(parser);
+  parser.footer(
+      "Examples:\n  artcal coupling examples/two-socket-bar/recording.toml\n"
+      "  artcal coupling examples/gao2013/table1.toml --kind distance");
+  return [request, kind] {
+    request->kind_is_given = kind->count() > 0;
+    const auto done = analyse_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,54 @@
+// artcal: a table of commands. Exit codes: 0 done, 1 done and a verification failed, 2 wrong usage,
+// 3 bad input, 4 no solution.
+#include <array>
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "app/command.h"
+#include "app/version.h"
+
+namespace {
+
+constexpr std::array commands{
+    artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
+    artcal::Command{"coupling", "what readings can tell of an arm, and what they cannot", artcal::set_up_coupling},
+};
+
+constexpr int wrong_usage = 2;
+constexpr int bad_input = 3;
+
+int run(int argc, char** argv) {
+  CLI::App parser{"artcal: artefact-based calibration of articulated-arm coordinate measuring machines"};
+  parser.set_version_flag("--version", fmt::format("artcal {}", artcal::program_version));
+  parser.require_subcommand(1);
+  parser.footer("`artcal COMMAND --help` says more, with an example.");
+  std::array<artcal::Run, commands.size()> runs;
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    runs[i] = commands[i].set_up(*parser.add_subcommand(commands[i].name, commands[i].summary));
+  }
+  try {
+    parser.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return parser.exit(error) == 0 ? 0 : wrong_usage;
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (parser.got_subcommand(commands[i].name)) {
+      return runs[i]();
+    }
+  }
+  return wrong_usage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "artcal: there is not enough memory for this input\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "artcal: internal error: {}\n", error.what());
+  }
+  return bad_input;
+}

@@ -1,0 +1,212 @@
+#include "app/result_json.h"
+
+#include "app/version.h"
+#include "identification/lost_text.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json header(const Recording& recording, const char* kind, const std::optional<std::uint64_t>& seed) {
+  Json json;
+  json["schema_version"] = 1;
+  json["kind"] = kind;
+  json["program"] = {{"name", "artcal"}, {"version", program_version}};
+  json["recording"] = recording.name;
+  json["arm"] = recording.arm.name;
+  json["inputs"] = Json::array();
+  for (const InputFile& input : recording.inputs) {
+    json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
+  }
+  json["seed"] = seed ? Json(*seed) : Json(nullptr);
+  return json;
+}
+
+Json motion_json(const Coupling& coupling, const ParameterMotion& motion) {
+  Json coefficients = Json::object();
+  for (Eigen::Index i = 0; i < motion.coefficients.size(); ++i) {
+    if (motion.coefficients[i] != 0.0) {
+      coefficients[coupling.parameters[i].name] = motion.coefficients[i];
+    }
+  }
+  return coefficients;
+}
+
+const char* name_of(ScaleState state) {
+  switch (state) {
+    case ScaleState::Lost: return "lost";
+    case ScaleState::Weak: return "weak";
+    case ScaleState::Determined: break;
+  }
+  return "determined";
+}
+
+const char* name_of(ParameterState state) {
+  switch (state) {
+    case ParameterState::Held: return "held";
+    case ParameterState::Lost: return "lost";
+    case ParameterState::Identified: break;
+  }
+  return "identified";
+}
+
+const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
+
+Json coupling_json(const Coupling& coupling) {
+  Json json;
+  json["parameter_count"] = coupling.parameters.size();
+  json["rank"] = coupling.rank;
+  json["residual_count"] = coupling.residual_count;
+  json["unknown_count"] = coupling.unknown_count;
+  json["angle_scale_mm"] = coupling.angle_scale;
+  json["singular_values"] = std::vector<double>(coupling.singular_values.begin(), coupling.singular_values.end());
+  json["scale"] = name_of(coupling.scale);
+  json["lost"] = Json::array();
+  for (const ParameterMotion& motion : coupling.lost) {
+    json["lost"].push_back({{"held", coupling.parameters[motion.leading].name},
+                            {"text", lost_in_words(coupling, motion)},
+                            {"unseen_motion", motion_json(coupling, motion)}});
+  }
+  json["weak"] = Json::array();
+  for (const WeakDirection& weak : coupling.weak) {
+    json["weak"].push_back({{"singular_value", weak.singular_value},
+                            {"text", weak_in_words(coupling, weak)},
+                            {"share_of_scale", weak.share_of_scale},
+                            {"motion", motion_json(coupling, weak.motion)}});
+  }
+  json["readings_not_moved"] = coupling.readings_not_moved;
+  return json;
+}
+
+Json parameters_json(const Identification& result) {
+  Json json = Json::array();
+  for (const IdentifiedParameter& parameter : result.parameters) {
+    const bool identified = parameter.state == ParameterState::Identified;
+    json.push_back({{"name", parameter.parameter.name},
+                    {"unit", parameter.parameter.unit()},
+                    {"nominal", parameter.nominal},
+                    {"identified", parameter.identified},
+                    {"standard_uncertainty", identified ? Json(parameter.u) : Json(nullptr)},
+                    {"state", name_of(parameter.state)}});
+  }
+  return json;
+}
+
+Json covariance_json(const Identification& result) {
+  Json names = Json::array();
+  for (const int index : result.free) {
+    names.push_back(result.parameters[index].parameter.name);
+  }
+  Json rows = Json::array();
+  for (const auto& row : result.covariance.rowwise()) {
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return {{"parameters", names}, {"units", "mm, rad"}, {"matrix", rows}};
+}
+
+Json deviation_json(const FeatureDeviation& deviation) {
+  Json json;
+  for (const auto& [key, name] :
+       {std::pair{"artefact", &deviation.name.artefact}, std::pair{"placement", &deviation.name.placement},
+        std::pair{"feature", &deviation.name.feature}}) {
+    if (!name->empty()) {
+      json[key] = *name;
+    }
+  }
+  json["readings"] = deviation.readings;
+  json["rms_mm"] = deviation.rms;
+  json["maximum_mm"] = deviation.maximum;
+  return json;
+}
+
+template <typename Items, typename ToJson>
+Json list(const Items& items, ToJson to_json) {
+  Json json = Json::array();
+  for (const auto& item : items) {
+    json.push_back(to_json(item));
+  }
+  return json;
+}
+
+Json length_json(const LengthDeviation& length) {
+  return {{"artefact", length.first.artefact}, {"placement", length.first.placement}, {"first", length.first.feature},
+          {"second", length.second},           {"certified_mm", length.certified},    {"error_mm", length.error}};
+}
+
+Json evaluation_json(const Evaluation& evaluation) {
+  return {{"overall", deviation_json(evaluation.overall)},
+          {"artefacts", list(evaluation.artefacts, deviation_json)},
+          {"placements", list(evaluation.placements, deviation_json)},
+          {"features", list(evaluation.features, deviation_json)},
+          {"lengths", list(evaluation.lengths, length_json)}};
+}
+
+Json left_out_json(const LeftOut& left) {
+  Json json = deviation_json(left.deviation);
+  json["lengths"] = list(left.lengths, length_json);
+  json["refusal"] = left.refusal.empty() ? Json(nullptr) : Json(left.refusal);
+  return json;
+}
+
+Json noise_json(const IdentifyOptions& options, const Identification& result) {
+  Json json{{"given", result.noise_is_given}, {"mm", result.noise}};
+  if (options.noise.encoder) {
+    json["encoder_rad"] = *options.noise.encoder;
+    json["probing_mm"] = *options.noise.probing;
+  }
+  json["chi_squared"] = result.chi_squared;
+  json["degrees_of_freedom"] = result.degrees_of_freedom;
+  json["chi_squared_95"] = {result.chi_squared_low, result.chi_squared_high};
+  json["enlargement"] = result.enlargement;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+             const Identification& result, const Timings& timings) {
+  Json json = header(recording, "identification", std::nullopt);
+  json["options"] = {{"hold", options.hold},
+                     {"free", options.free},
+                     {"loss", name_of(options.loss)},
+                     {"leave_out", options.leave_out}};
+  json["counts"] = {{"readings", recording.readings.size()},
+                    {"features", constraints.features.size()},
+                    {"placements", result.after.placements.size()},
+                    {"artefacts", result.after.artefacts.size()}};
+  json["coupling"] = coupling_json(result.coupling);
+  json["parameters"] = parameters_json(result);
+  json["covariance"] = covariance_json(result);
+  json["noise"] = noise_json(options, result);
+  json["before"] = evaluation_json(result.before);
+  json["after"] = evaluation_json(result.after);
+  json["left_out"] = list(result.left_out, left_out_json);
+  json["outliers"] = list(result.outliers, [&](const Outlier& outlier) -> Json {
+    return {{"reading", outlier.reading},
+            {"where", recording.where(outlier.reading)},
+            {"artefact", outlier.name.artefact},
+            {"placement", outlier.name.placement},
+            {"feature", outlier.name.feature},
+            {"standardised", outlier.standardised},
+            {"limit", outlier.limit},
+            {"deviation_mm", outlier.deviation}};
+  });
+  json["termination"] = {{"status", "converged"},
+                         {"message", result.termination},
+                         {"iterations", result.iterations},
+                         {"rounds", result.noise_rounds},
+                         {"cost", result.cost}};
+  json["warnings"] = result.warnings;
+  json["timings_s"] = {{"reading", timings.reading}, {"identifying", timings.identifying}};
+  return json;
+}
+
+Json to_json(const Recording& recording, const Coupling& coupling, std::optional<std::uint64_t> seed) {
+  Json json = header(recording, "coupling", seed);
+  json["coupling"] = coupling_json(coupling);
+  json["warnings"] = recording.warnings;
+  return json;
+}
+
+}  // namespace artcal

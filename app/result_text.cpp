@@ -1,0 +1,232 @@
+#include "app/result_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/table.h"
+#include "core/units.h"
+#include "identification/lost_text.h"
+
+namespace artcal {
+namespace {
+
+constexpr std::size_t most_outliers = 10;
+constexpr std::size_t most_lengths = 12;
+
+std::string mm(double value) { return fmt::format("{:.4f}", value); }
+std::string signed_mm(double value) { return fmt::format("{:+.4f}", value); }
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+const LengthDeviation* worst(const std::vector<LengthDeviation>& lengths) {
+  const auto found = std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.error) < std::abs(b.error);
+  });
+  return found == lengths.end() ? nullptr : &*found;
+}
+
+/// All that was left out, put together.
+struct Unseen {
+  FeatureDeviation overall;
+  std::vector<LengthDeviation> lengths;
+};
+
+Unseen unseen_of(const std::vector<LeftOut>& left_out) {
+  Unseen unseen;
+  double squares = 0.0;
+  for (const LeftOut& left : left_out) {
+    unseen.overall.readings += left.deviation.readings;
+    squares += left.deviation.readings * left.deviation.rms * left.deviation.rms;
+    unseen.overall.maximum = std::max(unseen.overall.maximum, left.deviation.maximum);
+    unseen.lengths.insert(unseen.lengths.end(), left.lengths.begin(), left.lengths.end());
+  }
+  unseen.overall.rms = unseen.overall.readings > 0 ? std::sqrt(squares / unseen.overall.readings) : 0.0;
+  return unseen;
+}
+
+std::string title_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
+  return fmt::format("{}\narm \"{}\": {}, {}, {}\n\n", recording.name, recording.arm.name,
+                     plural(recording.readings.size(), "reading"), plural(constraints.features.size(), "feature"),
+                     plural(result.after.placements.size(), "placement"));
+}
+
+std::string summary_text(const Identification& result) {
+  const Unseen unseen = unseen_of(result.left_out);
+  const bool left_out = unseen.overall.readings > 0;
+  Table table({"deviation of the readings, mm", "before", "after", left_out ? "left out" : ""});
+  const auto row = [&](const std::string& name, double before, double after, double left) {
+    table.add({name, mm(before), mm(after), left_out ? mm(left) : ""});
+  };
+  row("rms", result.before.overall.rms, result.after.overall.rms, unseen.overall.rms);
+  row("largest", result.before.overall.maximum, result.after.overall.maximum, unseen.overall.maximum);
+  if (const auto* before = worst(result.before.lengths)) {
+    const auto* after = worst(result.after.lengths);
+    const auto* left = worst(unseen.lengths);
+    table.add({"worst certified length, error", signed_mm(before->error), signed_mm(after->error),
+               left != nullptr ? signed_mm(left->error) : ""});
+  }
+  std::string text = table.text();
+  if (left_out) {
+    text += "  left out: each placement judged by an arm identified without it; expect this of new readings\n";
+  }
+  return text + "\n";
+}
+
+std::string placements_text(const Identification& result) {
+  if (result.after.placements.size() < 2) {
+    return {};
+  }
+  const bool several_artefacts = result.after.artefacts.size() > 1;
+  Table table({"placement", "readings", "rms before", "after", result.left_out.empty() ? "" : "left out"});
+  for (std::size_t i = 0; i < result.after.placements.size(); ++i) {
+    const FeatureDeviation& after = result.after.placements[i];
+    const auto left = std::find_if(result.left_out.begin(), result.left_out.end(), [&](const LeftOut& out) {
+      return out.deviation.name.artefact == after.name.artefact && out.deviation.name.placement == after.name.placement;
+    });
+    const std::string left_rms = left == result.left_out.end() ? ""
+                                 : left->refusal.empty()       ? mm(left->deviation.rms)
+                                                               : "not possible";
+    table.add({several_artefacts ? after.name.artefact + ", " + after.name.placement : after.name.placement,
+               fmt::format("{}", after.readings), mm(result.before.placements[i].rms), mm(after.rms), left_rms});
+  }
+  std::string text = table.text() + "\n";
+  for (const LeftOut& left : result.left_out) {
+    if (!left.refusal.empty()) {
+      text += fmt::format("  without placement {}: {}\n\n", left.deviation.name.placement, left.refusal);
+    }
+  }
+  return text;
+}
+
+std::string lengths_text(const Identification& result) {
+  if (result.after.lengths.empty() || result.after.lengths.size() > most_lengths) {
+    return {};
+  }
+  const auto left = unseen_of(result.left_out).lengths;
+  Table table({"certified length", "mm", "error before", "after", left.empty() ? "" : "left out"});
+  for (std::size_t i = 0; i < result.after.lengths.size(); ++i) {
+    const LengthDeviation& length = result.after.lengths[i];
+    const auto same = std::find_if(left.begin(), left.end(), [&](const LengthDeviation& other) {
+      return other.first.artefact == length.first.artefact && other.first.placement == length.first.placement &&
+             other.first.feature == length.first.feature && other.second == length.second;
+    });
+    table.add({fmt::format("{} {} - {}", length.first.placement, length.first.feature, length.second),
+               mm(length.certified), signed_mm(result.before.lengths[i].error), signed_mm(length.error),
+               same == left.end() ? "" : signed_mm(same->error)});
+  }
+  return table.text() + "\n";
+}
+
+std::string parameters_text(const Identification& result) {
+  Table table({"parameter", "unit", "nominal", "identified", "change", "u (k = 1)"});
+  for (const IdentifiedParameter& p : result.parameters) {
+    const bool angle = p.parameter.is_angle();
+    const double unit = angle ? units::degree : 1.0;
+    const auto number = [&](double value) { return fmt::format("{:.{}f}", value / unit, angle ? 6 : 5); };
+    const bool identified = p.state == ParameterState::Identified;
+    table.add({p.parameter.name, angle ? "deg" : "mm", number(p.nominal), number(p.identified),
+               identified ? fmt::format("{:+.{}f}", (p.identified - p.nominal) / unit, angle ? 6 : 5) : "",
+               identified                        ? fmt::format("{:.2g}", p.u / unit)
+               : p.state == ParameterState::Lost ? "cannot be told"
+                                                 : "held"});
+  }
+  return table.text() + "\n";
+}
+
+std::string noise_text(const Identification& result) {
+  return fmt::format(
+      "  noise of a reading {:.4g} mm a coordinate ({}), chi-squared {:.1f} with {} degrees of freedom\n\n",
+      result.noise, result.noise_is_given ? "as stated" : "estimated from the residuals", result.chi_squared,
+      result.degrees_of_freedom);
+}
+
+std::string cannot_text(const Coupling& coupling) {
+  std::string text;
+  if (!coupling.lost.empty()) {
+    text += fmt::format("What these readings cannot tell ({} of {} parameters can be told):\n", coupling.rank,
+                        coupling.parameters.size());
+    for (const ParameterMotion& motion : coupling.lost) {
+      text +=
+          fmt::format("  {}: {} is held\n", lost_in_words(coupling, motion), coupling.parameters[motion.leading].name);
+    }
+  }
+  if (!coupling.weak.empty()) {
+    text += "What they tell poorly (see the large u):\n";
+    for (const WeakDirection& weak : coupling.weak) {
+      text += fmt::format("  {} (singular value {:.2g} of {:.3g})\n", weak_in_words(coupling, weak),
+                          weak.singular_value, coupling.singular_values[0]);
+    }
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+std::string outliers_text(const Recording& recording, const Identification& result) {
+  if (result.outliers.empty()) {
+    return {};
+  }
+  std::string text = fmt::format("{} further off than chance allows; kept, but look at it:\n",
+                                 plural(result.outliers.size(), "reading"));
+  for (std::size_t i = 0; i < std::min(most_outliers, result.outliers.size()); ++i) {
+    const Outlier& outlier = result.outliers[i];
+    text += fmt::format("  {}: placement {}, feature {}, {} mm, {:.1f} standard deviations (limit {:.1f})\n",
+                        recording.where(outlier.reading), outlier.name.placement, outlier.name.feature,
+                        signed_mm(outlier.deviation), outlier.standardised, outlier.limit);
+  }
+  if (result.outliers.size() > most_outliers) {
+    text += fmt::format("  and {} more, all in the JSON result\n", result.outliers.size() - most_outliers);
+  }
+  return text + "\n";
+}
+
+std::string warnings_text(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const auto& warning : warnings) {
+    text += fmt::format("Warning: {}.\n", warning);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
+
+std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
+  return title_text(recording, constraints, result) + summary_text(result) + warnings_text(result.warnings) +
+         placements_text(result) + lengths_text(result) + parameters_text(result) + noise_text(result) +
+         cannot_text(result.coupling) + outliers_text(recording, result);
+}
+
+std::string to_text(const Recording& recording, const Coupling& coupling) {
+  std::string text = fmt::format("{}\narm \"{}\": {} residuals, {} unknown coordinates and angles of features\n\n",
+                                 recording.name, recording.arm.name, coupling.residual_count, coupling.unknown_count);
+  text += fmt::format("rank {} of {}: {} can be told, {} cannot\n", coupling.rank, coupling.parameters.size(),
+                      plural(static_cast<std::size_t>(coupling.rank), "combination"),
+                      coupling.parameters.size() - static_cast<std::size_t>(coupling.rank));
+  text += coupling.scale == ScaleState::Lost
+              ? "scale: LOST. All lengths can grow together unseen; measure a calibrated length as well\n"
+          : coupling.scale == ScaleState::Weak ? "scale: told, but poorly; a calibrated length would help\n"
+                                               : "scale: told\n";
+  text += "\n" + warnings_text(recording.warnings) + cannot_text(coupling);
+  if (!coupling.lost.empty()) {
+    text += "Motions that no reading sees (mm and rad):\n";
+    for (const ParameterMotion& motion : coupling.lost) {
+      text += fmt::format("  {}\n", lost_as_motion(coupling, motion));
+    }
+    text += "\n";
+  }
+  if (coupling.readings_not_moved > 0) {
+    text += fmt::format("{} could not be put exactly on their points; directions that look weak may be lost\n\n",
+                        plural(static_cast<std::size_t>(coupling.readings_not_moved), "reading"));
+  }
+  std::vector<std::string> values;
+  for (const double value : coupling.singular_values) {
+    values.push_back(fmt::format("{:.3g}", value));
+  }
+  return text + fmt::format("singular values (mm per mm, angles times {:.0f} mm):\n  {}\n", coupling.angle_scale,
+                            fmt::join(values, " "));
+}
+
+}  // namespace artcal
