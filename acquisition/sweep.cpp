@@ -115,10 +115,7 @@ Eigen::Vector3d Sweep::walk(JointSines sines, Visit&& visit) const {
     }
     visit(i, frame);
   }
-  frame.x = x;
-  frame.y = y;
-  frame.z = z;
-  visit(links_.size(), frame);
+  visit(links_.size(), Frame{z, p, x, p, y});
   return p + tip_in_last_.x() * x + tip_in_last_.y() * y + tip_in_last_.z() * z;
 }
 

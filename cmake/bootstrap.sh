@@ -62,6 +62,11 @@ show_progress() {
   fi
 }
 
+# The first errors of a compiler, which come with many lines around them; else the end of the log.
+show_errors() {
+  grep -m 5 -E '(^|[: ])(fatal )?error:|undefined reference|^ninja: error' "$1" | cut -c 1-300 >&2 || tail -n 20 "$1" >&2
+}
+
 configure() {
   local preset=$1 folder="$root/build/$1" fresh=()
   # A folder that was copied or moved still names the old place.
@@ -92,7 +97,7 @@ build_preset() {
   # The stamp is as old as the start of the build, so that whatever changes meanwhile is newer.
   touch "$folder/.building"
   if ! cmake --build "$folder" --parallel "$(job_count)" 2>&1 | tee -a "$log" | show_progress; then
-    tail -n 40 "$log" >&2
+    show_errors "$log"
     fail "the build failed; see above and build/$preset.log"
   fi
   mv "$folder/.building" "$folder/.built"
