@@ -22,8 +22,14 @@ struct Error {
   std::string message;
   std::string where;
 
-  /// "where: message", the line a person reads.
-  [[nodiscard]] std::string text() const { return where.empty() ? message : where + ": " + message; }
+  /// "where: message", the line a person reads: one line, even where a file's name holds a line end.
+  [[nodiscard]] std::string text() const {
+    std::string line = where.empty() ? message : where + ": " + message;
+    for (char& c : line) {
+      c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    }
+    return line;
+  }
 };
 
 template <typename T>

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "core/in_quotes.h"
+#include "core/toml_keys.h"
 
 namespace artcal {
 
@@ -29,14 +30,6 @@ std::string position(const std::string& path, const toml::source_region& source)
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
 
-// toml++ quotes whole keys in its messages.
-std::string shortened(std::string_view description) {
-  constexpr std::size_t half = 120;
-  return description.size() <= 2 * half
-             ? std::string(description)
-             : fmt::format("{} … {}", description.substr(0, half), description.substr(description.size() - half));
-}
-
 std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
@@ -55,55 +48,6 @@ std::optional<double> finite_number(const toml::node& node) {
   }
   const double value = node.value<double>().value_or(std::nan(""));
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-// The last byte of the TOML string that begins at `begin`.
-std::size_t end_of_string(std::string_view text, std::size_t begin) {
-  const char quote = text[begin];
-  const std::string three(3, quote);
-  const bool is_long = text.substr(begin, 3) == three;
-  for (std::size_t i = begin + (is_long ? 3 : 1); i < text.size(); ++i) {
-    if (quote == '"' && text[i] == '\\') {
-      ++i;
-    } else if (is_long && text.substr(i, 3) == three) {
-      const std::size_t after = text.find_first_not_of(quote, i);
-      return std::min({after, text.size(), i + 5}) - 1;  // its last two characters may be quotes as well
-    } else if (!is_long && (text[i] == quote || text[i] == '\n')) {
-      return i;
-    }
-  }
-  return text.size();
-}
-
-// Where a key of more than max_key_parts parts ends, or npos. toml++ limits the nesting of values but not
-// of keys a.a.a.…, and takes its tables apart recursively: a hostile file would overflow the stack.
-std::size_t find_endless_key(std::string_view text) {
-  constexpr int max_key_parts = 32;
-  int parts = 1;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    switch (text[i]) {
-      case '#':
-        i = std::min(text.find('\n', i), text.size());
-        parts = 1;
-        break;
-      case '"':
-      case '\'': i = end_of_string(text, i); break;
-      case '.':
-        if (++parts > max_key_parts) {
-          return i;
-        }
-        break;
-      case '\n':
-      case '=':
-      case ',':
-      case '[':
-      case ']':
-      case '{':
-      case '}': parts = 1; break;
-      default: break;
-    }
-  }
-  return std::string_view::npos;
 }
 
 // The first key in the file that no reader asked for.
@@ -306,14 +250,13 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_view schema) {
   auto shared = std::make_shared<TomlTable::Shared>();
   shared->path = file.path.string();
-  if (const auto at = find_endless_key(file.text); at != std::string_view::npos) {
-    const auto line = 1 + std::count(file.text.begin(), file.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  if (const int line = line_of_endless_key(file.text); line > 0) {
     return bad_input("a key has more parts than any that is known here", fmt::format("{}:{}", shared->path, line));
   }
   try {
     shared->document = toml::parse(file.text, shared->path);
   } catch (const toml::parse_error& error) {
-    return bad_input(fmt::format("this is not valid TOML: {}", shortened(error.description())),
+    return bad_input(fmt::format("this is not valid TOML: {}", at_most(200, error.description())),
                      position(shared->path, error.source()));
   }
   const void* table = &shared->document;

@@ -1,9 +1,12 @@
 #include "acquisition/recording_file.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
+#include "core/random.h"
 #include "core/units.h"
 #include "tests/support/example_recording.h"
 
@@ -155,6 +158,67 @@ TEST_F(RecordingFile, WarnsOfTheWrongUnit) {
   const auto recording = read();
   ASSERT_TRUE(recording);
   EXPECT_THAT(recording->warnings, ElementsAre(HasSubstr("look like degrees")));
+}
+
+// Random damage to any of the three files: either it is still a recording, or one readable line says what is
+// wrong with which file. (Run under the sanitizers, this is a small fuzzer.)
+TEST_F(RecordingFile, DamagedFilesAreReadOrRefusedInOneLine) {
+  const std::string pieces[] = {"\"",
+                                "'",
+                                ",",
+                                "\n",
+                                "\r",
+                                "[",
+                                "]",
+                                "{",
+                                "}",
+                                "=",
+                                ".",
+                                "#",
+                                "-",
+                                "nan",
+                                "1e999",
+                                "\"\"\"",
+                                "µ",
+                                "\xff",
+                                std::string(1, '\0'),
+                                "\x1b",
+                                "[[probe]]",
+                                "q1",
+                                "999999999999999999999"};
+  int read_count = 0;
+  constexpr int damage_count = 2000;
+  for (int i = 0; i < damage_count; ++i) {
+    RandomStream random(1, "damage", static_cast<std::uint64_t>(i));
+    example = {};
+    std::string* const files[] = {&example.arm, &example.readings, &example.recording};
+    std::string& text = *files[random.bits() % 3];
+    for (std::uint64_t n = 1 + random.bits() % 3; n > 0; --n) {
+      const std::size_t at = random.bits() % (text.size() + 1);
+      const std::size_t length = random.bits() % 8;
+      switch (random.bits() % 4) {
+        case 0: text.erase(at, length); break;
+        case 1: text.insert(at, pieces[random.bits() % std::size(pieces)]); break;
+        case 2: text.insert(at, text.substr(random.bits() % (text.size() + 1), length * 4)); break;
+        default: text.replace(at, at < text.size() ? 1 : 0, 1, static_cast<char>(random.bits() % 256)); break;
+      }
+    }
+    const auto recording = read();
+    read_count += recording ? 1 : 0;
+    if (recording) {
+      EXPECT_EQ(recording->joints.cols(), static_cast<Eigen::Index>(recording->readings.size()));
+      EXPECT_TRUE(recording->joints.allFinite());
+    } else {
+      const std::string message = recording.error().text();
+      EXPECT_LT(message.size(), 600u) << message;
+      EXPECT_THAT(message, HasSubstr(folder_.path().string()));
+      EXPECT_EQ(
+          std::count_if(message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), 0)
+          << message;
+    }
+  }
+  EXPECT_GT(read_count, damage_count / 50);
+  EXPECT_LT(read_count, damage_count / 2);
 }
 
 TEST_F(RecordingFile, OtherKindsOfFileAreRefused) {

@@ -10,6 +10,10 @@ TEST(Error, TextHasThePlaceFirst) {
   EXPECT_EQ((Error{ErrorCode::Usage, "no such option", ""}.text()), "no such option");
 }
 
+TEST(Error, TextIsOneHarmlessLine) {
+  EXPECT_EQ((Error{ErrorCode::BadInput, "a\x1b[2Jb", "new\nline.csv"}.text()), "new?line.csv: a?[2Jb");
+}
+
 // The program's exit codes; scripts rely on them.
 TEST(Error, CodesAreTheExitCodes) {
   EXPECT_EQ(static_cast<int>(wrong_usage("").value().code), 2);
