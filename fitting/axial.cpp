@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "fitting/axis_start.h"
+#include "fitting/estimate.h"
+#include "fitting/round_models.h"
+
+namespace artcal::fitting {
+namespace {
+
+constexpr Eigen::Index start_points = 120;  // enough to tell one valley from another
+constexpr int start_count = 12;
+
+// The axis: a point abreast of the centroid (the cloud's origin), the direction, radius and opening there.
+// A negative curvature means that the frame's normal points inwards; both signs name the same surface.
+Cone cone_of(const RoundState& state) {
+  const auto [k, sine, cosine, axes] = state.section();
+  const Eigen::Vector3d direction = axes.col(2);
+  const Eigen::Vector3d centre = state.point - axes.col(0) / k;
+  const double height = -centre.dot(direction);
+  const double side = k < 0.0 ? -1.0 : 1.0;
+  const double angle = side * std::atan2(sine, cosine);
+  Cone cone{centre + height * direction, direction, side / k + height * std::tan(angle), angle};
+  if (cone.half_angle < 0.0) {
+    cone.direction = -cone.direction;
+    cone.half_angle = -cone.half_angle;
+  }
+  return cone;
+}
+
+Cylinder cylinder_of(const RoundState& state) {
+  const Cone cone = cone_of(state);
+  return {cone.point, cone.direction, cone.radius};
+}
+
+// The deepest of the valleys that the starts lead into, followed to the bottom on all the points.
+template <bool Tapered>
+auto deepest(const Cloud& cloud, const std::vector<RoundState>& starts) {
+  using Model = AxialModel<Tapered>;
+  const Cloud few = thinned(cloud, start_points);
+  std::vector<Solution<RoundState, Model::size>> found;
+  for (const RoundState& start : starts) {
+    found.push_back(minimise(Model{few}, start, 60));
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  auto best = minimise(Model{cloud}, found.front().state, 500);
+  if (few.size() < cloud.size()) {
+    // What is deepest for a few points need not be for all of them.
+    for (std::size_t i = 1; i < std::min<std::size_t>(3, found.size()); ++i) {
+      const auto other = minimise(Model{cloud}, found[i].state, 500);
+      best = other.cost < best.cost ? other : best;
+    }
+  }
+  return best;
+}
+
+std::string too_small(std::string_view feature, const Cloud& cloud, double radius, double doubt) {
+  return fmt::format(
+      "the points do not tell a {}: on so small a patch its radius {:.4g} mm comes out with a standard "
+      "uncertainty of {:.2g} mm; probe more of it",
+      feature, radius * cloud.scale, doubt * cloud.scale);
+}
+
+std::string undetermined(std::string_view feature) {
+  return fmt::format(
+      "the points do not tell a {}: they lie on one circle or on few straight lines, which leave its "
+      "axis free; probe at several heights and around it",
+      feature);
+}
+
+}  // namespace
+
+Expected<Estimate<Cylinder>> least_squares_cylinder(const Cloud& cloud, const FitOptions& options) {
+  const auto solution = deepest<false>(cloud, start_cylinders(thinned(cloud, start_points), start_count));
+  auto [estimate, unit] =
+      estimate_of(AxialModel<false>{cloud}, solution, static_cast<int>(cloud.size()), options, cylinder_of);
+  if (!unit) {
+    return no_solution(undetermined("cylinder"));
+  }
+  const double radius = estimate.feature.radius;
+  const double doubt = noise_or_rounding(cloud, estimate.noise) * std::sqrt((*unit)(6, 6));
+  if (!(doubt < 0.5 * radius)) {
+    return no_solution(too_small("cylinder", cloud, radius, doubt));
+  }
+  return estimate;
+}
+
+Expected<Estimate<Cone>> least_squares_cone(const Cloud& cloud, const FitOptions& options) {
+  const auto solution = deepest<true>(cloud, start_cones(thinned(cloud, start_points), start_count));
+  auto [estimate, unit] =
+      estimate_of(AxialModel<true>{cloud}, solution, static_cast<int>(cloud.size()), options, cone_of);
+  if (!unit) {
+    return no_solution(undetermined("cone"));
+  }
+  const double noise = noise_or_rounding(cloud, estimate.noise);
+  const double angle = estimate.feature.half_angle;
+  const double angle_doubt = noise * std::sqrt((*unit)(7, 7));
+  if (!(angle_doubt < 0.5 * angle)) {
+    return no_solution(
+        fmt::format("the points do not tell a cone: its half angle {:.3g} rad is not known from zero "
+                    "(standard uncertainty {:.2g} rad); is it a cylinder?",
+                    angle, angle_doubt));
+  }
+  const double radius = std::abs(estimate.feature.radius);
+  const double doubt = noise * std::sqrt((*unit)(6, 6));
+  if (!(doubt < 0.5 * std::max(radius, 1.0))) {
+    return no_solution(too_small("cone", cloud, radius, doubt));
+  }
+  return estimate;
+}
+
+}  // namespace artcal::fitting
