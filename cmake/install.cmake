@@ -16,6 +16,13 @@ install(TARGETS ${layers}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/artcal COMPONENT development)
 install(EXPORT artcalTargets NAMESPACE artcal:: DESTINATION ${config_dir} COMPONENT development)
+# Who links the layers must find what they link: cmake/dependencies.cmake again, without what only the
+# program uses.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake dependencies REGEX "^find_package\\(")
+list(FILTER dependencies EXCLUDE REGEX "CLI11|nlohmann_json")
+list(TRANSFORM dependencies REPLACE "^find_package" "find_dependency")
+list(TRANSFORM dependencies REPLACE " REQUIRED" "")
+list(JOIN dependencies "\n" ARTCAL_FIND_DEPENDENCIES)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/artcalConfig.cmake.in artcalConfig.cmake
                               INSTALL_DESTINATION ${config_dir} NO_SET_AND_CHECK_MACRO)
 # Before 1.0 a minor release may change the interface.
