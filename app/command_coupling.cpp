@@ -98,6 +98,7 @@ Expected<int> analyse_and_tell(const Request& request) {
   }
   CouplingOptions options = coupling_options(*selection);
   options.angle_scale = request.angle_scale;
+  options.noise = recording.noise;
   const auto coupling = analyse_coupling(recording, subject->constraints, *arm, options);
   if (!coupling) {
     return tl::unexpected(coupling.error());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include "core/statistics.h"
@@ -17,13 +16,6 @@ constexpr int max_rounds = 20;
 constexpr double noise_stands = 1e-4;  // relative change at which the noise has settled
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
 constexpr double least_noise = 1e-9;  // mm
-
-Weights first_weights(const System& system, const Arm& arm, const Unknowns& unknowns, const Noise& noise) {
-  if (noise.encoder) {
-    return posture_weights(system, arm, unknowns, *noise.encoder, *noise.probing);
-  }
-  return noise.reading ? uniform_weights(*system.constraints, *noise.reading) : unit_weights(*system.constraints);
-}
 
 // Factor by which the noise in use is to be multiplied so that the residuals have their expected size.
 double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, Loss loss) {
@@ -39,24 +31,11 @@ double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, 
   return std::sqrt(residuals.readings_squared() / left);
 }
 
-// The noise a coordinate that weights stand for: the median, where postures differ.
-double typical_noise(const Weights& weights) {
-  std::vector<double> sigmas;
-  for (const auto& feature : weights.features) {
-    for (const double weight : feature.scalar) {
-      sigmas.push_back(1.0 / weight);
-    }
-    for (const auto& matrix : feature.matrix) {
-      sigmas.push_back(1.0 / std::cbrt(matrix.determinant()));
-    }
-  }
-  return median(sigmas);
-}
-
 }  // namespace
 
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
-                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options) {
+                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
+                         const Linearisation* at_start) {
   const System system = make_system(recording, constraints, start, free);
   auto unknowns = settle(system, start, recording);
   if (!unknowns) {
@@ -80,7 +59,8 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     // Until the noise is known a robust loss would not know what is far.
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
     const SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations};
-    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round);
+    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
+                              fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
     ++fit.rounds;
     fit.iterations += solution.iterations;
     fit.termination = solution.message;
@@ -92,6 +72,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     }
     x = solution.x;
     fit.unknowns = std::move(solution.unknowns);
+    fit.linearisation = std::move(solution.linearisation);
     fit.arm = system.arm_at(x.data());
     fit.cost = solution.final_cost;
     fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);

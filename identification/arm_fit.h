@@ -13,6 +13,7 @@ struct ArmFit {
   Unknowns unknowns;
   Weights weights;              ///< in force at the end
   WhitenedResiduals residuals;  ///< under these
+  Linearisation linearisation;  ///< at the solution, under these; columns are the free parameters
   double noise = 0.0;           ///< mm a coordinate; the median over postures where it depends on them
   int degrees_of_freedom = 0;
   int iterations = 0;
@@ -24,9 +25,11 @@ struct ArmFit {
 /// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and
 /// certified distances together have the χ² of their degrees of freedom; with a robust loss from the
 /// median absolute deviation), sets the weights accordingly, and solves again until the noise stands.
-/// `start` holds the free parameters' start and all others' values.
+/// `start` holds the free parameters' start and all others' values; `at_start` the linearisation there under
+/// first_weights(), if it is known already.
 /// No solution: no degree of freedom left, no convergence.
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
-                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options);
+                         const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
+                         const Linearisation* at_start = nullptr);
 
 }  // namespace artcal

@@ -1,4 +1,4 @@
-#include "identification/coupling.h"
+#include "identification/coupling_analysis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <Eigen/SVD>
 
 #include "identification/consistent.h"
-#include "identification/linearised.h"
 #include "identification/settle.h"
 #include "identification/weights.h"
 
@@ -101,26 +100,6 @@ bool scale_is_asked(const Arm& arm, const std::vector<Parameter>& asked) {
   });
 }
 
-// Distances against readings as the stated noise has it; without one, as unit_weights() says.
-Weights coupling_weights(const Recording& recording, const Constraints& constraints) {
-  Weights weights = unit_weights(constraints);
-  const Noise& noise = recording.noise;
-  if (noise.is_given()) {
-    const double sigma =
-        noise.reading ? *noise.reading : std::hypot(*noise.probing, *noise.encoder * 0.5 * reach(recording.arm));
-    weights = uniform_weights(constraints, sigma);
-    for (auto& feature : weights.features) {
-      for (double& weight : feature.scalar) {
-        weight *= sigma;
-      }
-    }
-    for (double& weight : weights.distances) {
-      weight *= sigma;
-    }
-  }
-  return weights;
-}
-
 void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eigen::VectorXd& growth,
                const std::vector<ParameterMotion>& lost_scaled, double weak_below, Coupling& coupling) {
   for (Eigen::Index i = coupling.rank - 1; i >= 0; --i) {
@@ -138,6 +117,14 @@ void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eig
     const double share = growth.norm() > 0.0 ? std::abs(v.col(i).dot(growth)) / growth.norm() : 0.0;
     coupling.weak.push_back({singular_value, in_real_units({direction, static_cast<int>(leading)}, scale), share});
   }
+}
+
+// Whether the analysis leaves readings and unknowns where they are (make_consistent, satisfy_distances).
+bool is_as_read(const Constraints& constraints) {
+  return constraints.binding_distance_count() == 0 &&
+         std::none_of(constraints.features.begin(), constraints.features.end(), [](const FeatureConstraint& feature) {
+           return feature.location == Location::Unknown && feature.demand == Demand::Coincide;
+         });
 }
 
 }  // namespace
@@ -159,9 +146,10 @@ std::vector<std::string> default_hold_order(const Arm& arm) {
           fmt::format("alpha{}", n), fmt::format("theta{}", n)};
 }
 
-Expected<Coupling> analyse_coupling(const Recording& recording, const Constraints& constraints, const Arm& arm,
-                                    const CouplingOptions& options) {
-  Coupling coupling;
+Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints& constraints, const Arm& arm,
+                                   const CouplingOptions& options) {
+  CouplingAnalysis analysis;
+  Coupling& coupling = analysis.coupling;
   for (const auto& parameter : parameters_of(arm)) {
     if (std::find(options.not_asked.begin(), options.not_asked.end(), parameter.name) == options.not_asked.end()) {
       coupling.parameters.push_back(parameter);
@@ -178,7 +166,10 @@ Expected<Coupling> analyse_coupling(const Recording& recording, const Constraint
   coupling.residual_count = constraints.reading_residual_count() + constraints.binding_distance_count();
   coupling.unknown_count = constraints.unknown_count();
 
-  const Eigen::MatrixXd triangle = arm_triangle(system, coupling_weights(recording, constraints), arm, *unknowns);
+  // Weights are inverse standard deviations; times the noise, singular values are in mm per mm.
+  const Weights weights = first_weights(system, arm, *unknowns, options.noise);
+  Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
+  const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
   coupling.singular_values = svd.singularValues();
   coupling.rank =
@@ -207,7 +198,17 @@ Expected<Coupling> analyse_coupling(const Recording& recording, const Constraint
                          [](const WeakDirection& weak) { return weak.share_of_scale > 0.7; })) {
     coupling.scale = ScaleState::Weak;
   }
-  return coupling;
+  if (is_as_read(constraints)) {
+    analysis.as_read = std::move(linearisation);
+  }
+  return analysis;
+}
+
+Expected<Coupling> analyse_coupling(const Recording& recording, const Constraints& constraints, const Arm& arm,
+                                    const CouplingOptions& options) {
+  return analyse(recording, constraints, arm, options).map([](CouplingAnalysis&& analysis) {
+    return std::move(analysis.coupling);
+  });
 }
 
 }  // namespace artcal

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "acquisition/parameters.h"
+#include "acquisition/recording.h"
 #include "artefacts/constraint.h"
 #include "core/error.h"
 
@@ -46,6 +47,7 @@ struct CouplingOptions {
   std::vector<std::string> not_asked;    ///< parameters taken as known
   std::vector<std::string> rather_held;  ///< hold these first, where they take part in a lost motion
   std::vector<std::string> rather_free;  ///< and these last
+  Noise noise;                           ///< for what distances and readings are worth to each other
   double angle_scale = 0.0;              ///< mm; 0 takes the reach
   double lost_below = 1e-10;             ///< σ/σ1; a lost direction comes out at 1e-13 and a weak one at 1e-4
   double weak_below = 2e-2;              ///< σ/σ1: a fiftieth of the best direction is poor

@@ -5,7 +5,6 @@
 
 #include <Eigen/SVD>
 
-#include "identification/linearised.h"
 #include "identification/rows.h"
 
 namespace artcal {
@@ -13,26 +12,6 @@ namespace {
 
 double squared(const std::vector<double>& values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
-double reading_squared(const std::vector<double>& residuals, int reading, int dimension) {
-  return Eigen::VectorXd::Map(residuals.data() + reading * dimension, dimension).squaredNorm();
-}
-
-// A reading under a loss ρ counts ρ'(s) of its least-squares weight.
-void apply_loss(const Constraints& constraints, const WhitenedResiduals& residuals, Loss loss, Weights& weights) {
-  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
-    const FeatureConstraint& feature = constraints.features[f];
-    for (int k = 0; k < feature.size(); ++k) {
-      const double s = reading_squared(residuals.readings[f], k, feature.dimension()) / feature.dimension();
-      const double factor = std::sqrt(loss_at(loss, s).slope);
-      if (weights.features[f].matrix.empty()) {
-        weights.features[f].scalar[k] *= factor;
-      } else {
-        weights.features[f].matrix[k] *= factor;
-      }
-    }
-  }
 }
 
 }  // namespace
@@ -68,13 +47,8 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
   return residuals;
 }
 
-std::optional<Eigen::MatrixXd> arm_covariance(const System& system, Weights weights, const Arm& arm,
-                                              const Unknowns& unknowns, Loss loss) {
-  if (loss != Loss::None) {
-    const auto residuals = whitened_residuals(system, weights, arm, unknowns);
-    apply_loss(*system.constraints, residuals, loss, weights);
-  }
-  const Eigen::MatrixXd triangle = arm_triangle(system, weights, arm, unknowns);
+std::optional<Eigen::MatrixXd> arm_covariance(const System& system, const Linearisation& linearisation) {
+  const Eigen::MatrixXd triangle = arm_triangle(linearisation, system.arm_size());
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
   const Eigen::VectorXd& sigma = svd.singularValues();
   if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {

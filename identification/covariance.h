@@ -4,16 +4,15 @@
 
 #include <Eigen/Core>
 
-#include "identification/problem.h"
+#include "identification/linearisation.h"
 #include "identification/system.h"
 
 namespace artcal {
 
-/// Covariance of the free parameters in mm and rad at a solution: (RᵀR)⁻¹ with R the arm's triangle under
-/// weights that are inverse standard deviations (never from JᵀJ). With a robust loss each reading counts
-/// as the loss lets it. Nothing if the triangle is singular to working precision.
-std::optional<Eigen::MatrixXd> arm_covariance(const System& system, Weights weights, const Arm& arm,
-                                              const Unknowns& unknowns, Loss loss);
+/// Covariance of the free parameters in mm and rad from the linearisation at a solution whose weights are
+/// inverse standard deviations: (RᵀR)⁻¹ with R the arm's triangle, by its singular values (never from
+/// JᵀJ). Nothing if R is singular to working precision.
+std::optional<Eigen::MatrixXd> arm_covariance(const System& system, const Linearisation& linearisation);
 
 /// Whitened residuals at a solution.
 struct WhitenedResiduals {

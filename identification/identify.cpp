@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "core/statistics.h"
 #include "core/units.h"
 #include "identification/arm_fit.h"
+#include "identification/coupling_analysis.h"
 #include "identification/leave_out.h"
 #include "identification/lost_text.h"
 #include "identification/outliers.h"
@@ -22,6 +24,9 @@ struct Preparation {
   Arm start;
   Coupling coupling;
   std::vector<Parameter> free;
+  std::optional<Linearisation> at_start;  ///< by the free parameters, where it is known already
+
+  [[nodiscard]] const Linearisation* known_start() const { return at_start ? &*at_start : nullptr; }
 };
 
 Error scale_is_lost() {
@@ -44,24 +49,35 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   if (!start) {
     return tl::unexpected(start.error());
   }
-  auto coupling = analyse_coupling(recording, constraints, *start, coupling_options(*selection));
-  if (!coupling) {
-    return tl::unexpected(coupling.error());
+  CouplingOptions coupling_request = coupling_options(*selection);
+  coupling_request.noise = options.noise;
+  auto analysis = analyse(recording, constraints, *start, coupling_request);
+  if (!analysis) {
+    return tl::unexpected(analysis.error());
   }
-  if (coupling->scale == ScaleState::Lost) {
+  if (analysis->coupling.scale == ScaleState::Lost) {
     return tl::unexpected(scale_is_lost());
   }
-  auto free = free_parameters(*selection, *coupling);
+  auto free = free_parameters(*selection, analysis->coupling);
   if (!free) {
     return tl::unexpected(free.error());
   }
   if (free->empty()) {
     return no_solution("nothing is left to identify: every parameter is held or lost");
   }
+  Preparation preparation{nominal, std::move(analysis->coupling), std::move(*free), {}};
+  const auto& asked = preparation.coupling.parameters;
+  std::vector<int> kept;
   // Held parameters stay nominal, fitted tip or not.
-  Preparation preparation{nominal, std::move(*coupling), std::move(*free)};
   for (const Parameter& parameter : preparation.free) {
     set_value(preparation.start, parameter, value(*start, parameter));
+    kept.push_back(find_parameter(asked, parameter.name));
+  }
+  const bool starts_there = std::all_of(asked.begin(), asked.end(), [&](const Parameter& parameter) {
+    return value(preparation.start, parameter) == value(*start, parameter);
+  });
+  if (analysis->as_read && starts_there) {
+    preparation.at_start = with_parameters(*analysis->as_read, static_cast<int>(asked.size()), kept);
   }
   return preparation;
 }
@@ -161,7 +177,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(fit.error());
   }
   const System system = make_system(recording, constraints, preparation->start, preparation->free);
-  const auto covariance = arm_covariance(system, fit->weights, fit->arm, fit->unknowns, options.loss);
+  const auto covariance = arm_covariance(system, fit->linearisation);
   if (!covariance) {
     return no_solution(
         "the readings determine the parameters at the nominal arm but not at the identified one; hold "
@@ -200,7 +216,8 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
       if (!prepared) {
         return tl::unexpected(prepared.error());
       }
-      return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options)
+      return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options,
+                     prepared->known_start())
           .map([](const ArmFit& refit) { return refit.arm; });
     };
     result.left_out = leave_placements_out(recording, constraints, identify_without, options.threads);

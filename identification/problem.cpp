@@ -1,6 +1,5 @@
 #include "identification/problem.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -11,95 +10,74 @@
 namespace artcal {
 namespace {
 
-// Long enough to pay for setting up the arm once a block, short enough for the cache.
-constexpr int readings_a_block = 64;
-
-// Tuning for 95 % efficiency on normal noise (Holland, Welsch 1977).
-constexpr double huber_threshold = 1.345;
-constexpr double cauchy_threshold = 2.385;
-
-/// Readings [first, first + count) of one feature as a Ceres cost: parameter blocks are the arm's x and,
-/// where the feature has unknowns, its group's values.
-class FeatureCost final : public ceres::CostFunction {
+/// One block of the linearisation as a Ceres cost. Parameter blocks: the arm's x and, where there are any,
+/// the group's unknowns. Residuals and Jacobian are the triangle's last column and the others: cost,
+/// gradient and normal matrix are those of all the rows behind them. Where only the cost is wanted, its
+/// root stands in the last residual.
+class BlockCost final : public ceres::CostFunction {
  public:
-  FeatureCost(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
-              const Eigen::Matrix3d& reference, int first, int count)
-      : system_(system), feature_(feature), weights_(weights), reference_(reference), first_(first), count_(count) {
-    set_num_residuals(count * feature.dimension());
+  BlockCost(const System& system, const Weights& weights, Loss loss, Block block, const Eigen::Matrix3d& reference,
+            const Eigen::MatrixXd* at_start, Eigen::MatrixXd& triangle)
+      : system_(system),
+        weights_(weights),
+        loss_(loss),
+        block_(std::move(block)),
+        reference_(reference),
+        at_start_(at_start),
+        triangle_(triangle) {
+    set_num_residuals(block_.unknowns + system.arm_size() + 1);
     mutable_parameter_block_sizes()->push_back(system.arm_size());
-    if (feature.group >= 0) {
-      mutable_parameter_block_sizes()->push_back(system.constraints->groups[feature.group].size);
+    if (block_.unknowns > 0) {
+      mutable_parameter_block_sizes()->push_back(block_.unknowns);
     }
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto sweeps = sweeps_of(system_, system_.arm_at(parameters[0]));
-    const double* group = feature_.group < 0 ? nullptr : parameters[1];
-    RowsOut out{residuals, nullptr, nullptr};
-    if (jacobians != nullptr) {
-      out.by_arm = jacobians[0];
-      out.by_group = feature_.group < 0 ? nullptr : jacobians[1];
+    const double* values = block_.unknowns > 0 ? parameters[1] : nullptr;
+    Eigen::Map<Eigen::VectorXd> out(residuals, num_residuals());
+    if (jacobians == nullptr) {
+      const auto sweeps = sweeps_of(system_, system_.arm_at(parameters[0]));
+      out.setZero();
+      out[out.size() - 1] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps, reference_, values));
+      return true;
     }
-    weighted_rows(system_, feature_, weights_, sweeps, reference_, group, first_, count_, out);
+    if (at_start_ != nullptr) {
+      triangle_ = *at_start_;  // Ceres evaluates first where it starts
+      at_start_ = nullptr;
+    } else {
+      const auto sweeps = sweeps_of(system_, system_.arm_at(parameters[0]));
+      triangle_ = block_triangle(system_, weights_, loss_, block_, sweeps, reference_, values);
+    }
+    out = triangle_.rightCols<1>();
+    const int arm = system_.arm_size();
+    if (jacobians[0] != nullptr) {
+      Eigen::Map<RowMatrix>(jacobians[0], out.size(), arm) = triangle_.middleCols(block_.unknowns, arm);
+    }
+    if (block_.unknowns > 0 && jacobians[1] != nullptr) {
+      Eigen::Map<RowMatrix>(jacobians[1], out.size(), block_.unknowns) = triangle_.leftCols(block_.unknowns);
+    }
     return true;
   }
 
  private:
   const System& system_;
-  const FeatureConstraint& feature_;
-  const FeatureWeights& weights_;
+  const Weights& weights_;
+  Loss loss_;
+  Block block_;
   Eigen::Matrix3d reference_;
-  int first_;
-  int count_;
+  mutable const Eigen::MatrixXd* at_start_;
+  Eigen::MatrixXd& triangle_;  // the last one evaluated: at the end, the solution's
 };
 
-/// A certified distance between two unknown points of one group.
-class DistanceCost final : public ceres::CostFunction {
+/// Stops where a step moves nothing that matters: a nanometre, in the solver's physical units. Ceres' own
+/// tolerances are relative to the parameters' norm, or to a cost that has come down to its rounding.
+class StopWhenStill final : public ceres::IterationCallback {
  public:
-  DistanceCost(const Constraints& constraints, const DistanceConstraint& distance, double weight)
-      : constraints_(constraints), distance_(distance), weight_(weight) {
-    set_num_residuals(1);
-    mutable_parameter_block_sizes()->push_back(constraints.groups[constraints.features[distance.first].group].size);
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    const bool still = summary.iteration > 0 && summary.step_norm < 1e-6;
+    return still ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
-
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    residuals[0] = weighted_distance(distance_, constraints_, weight_, parameters[0],
-                                     jacobians == nullptr ? nullptr : jacobians[0]);
-    return true;
-  }
-
- private:
-  const Constraints& constraints_;
-  const DistanceConstraint& distance_;
-  double weight_;
 };
-
-std::unique_ptr<ceres::LossFunction> make_loss(Loss loss, int dimension) {
-  // A three-dimensional residual of normal noise is √3 as long.
-  const double width = std::sqrt(static_cast<double>(dimension));
-  switch (loss) {
-    case Loss::Huber: return std::make_unique<ceres::HuberLoss>(huber_threshold * width);
-    case Loss::Cauchy: return std::make_unique<ceres::CauchyLoss>(cauchy_threshold * width);
-    case Loss::None: break;
-  }
-  return nullptr;
-}
-
-void add_feature(ceres::Problem& problem, const System& system, const FeatureConstraint& feature,
-                 const FeatureWeights& weights, Loss loss, double* x, Unknowns& unknowns) {
-  const int step = loss == Loss::None ? readings_a_block : 1;
-  for (int first = 0; first < feature.size(); first += step) {
-    const int count = std::min(step, feature.size() - first);
-    const Eigen::Matrix3d reference =
-        feature.group < 0 ? Eigen::Matrix3d::Identity() : unknowns[feature.group].reference;
-    std::vector<double*> blocks{x};
-    if (feature.group >= 0) {
-      blocks.push_back(unknowns[feature.group].values.data());
-    }
-    problem.AddResidualBlock(new FeatureCost(system, feature, weights, reference, first, count),
-                             make_loss(loss, feature.dimension()).release(), blocks);
-  }
-}
 
 ceres::Solver::Options solver_options(const SolveOptions& options) {
   ceres::Solver::Options ceres_options;
@@ -108,16 +86,14 @@ ceres::Solver::Options solver_options(const SolveOptions& options) {
   ceres_options.logging_type = ceres::SILENT;
   // Gauss-Newton first; the region shrinks fast where that does not lower the cost.
   ceres_options.initial_trust_region_radius = 1e16;
-  // Stop where a step moves nothing that matters (0.3 nm on an arm and its placements), or where the cost
-  // has come down to its own rounding; the gradient's size has no unit to judge it by.
-  ceres_options.parameter_tolerance = 1e-10;
-  ceres_options.function_tolerance = 1e-14;
+  ceres_options.parameter_tolerance = 1e-14;
+  ceres_options.function_tolerance = 0.0;
   ceres_options.gradient_tolerance = 0.0;
   return ceres_options;
 }
 
 Termination termination_of(const ceres::Solver::Summary& summary) {
-  if (summary.termination_type == ceres::CONVERGENCE) {
+  if (summary.termination_type == ceres::CONVERGENCE || summary.termination_type == ceres::USER_SUCCESS) {
     return Termination::Converged;
   }
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
@@ -126,34 +102,35 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
 }  // namespace
 
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
-               const SolveOptions& options) {
+               const SolveOptions& options, const Linearisation* at_start) {
   Solution solution;
   solution.x = x_start;
   solution.unknowns = std::move(start);
-  const Constraints& constraints = *system.constraints;
+  const auto blocks = blocks_of(*system.constraints);
+  solution.linearisation.triangles.resize(blocks.size());
   ceres::Problem problem;
-  problem.AddParameterBlock(solution.x.data(), system.arm_size());
-  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
-    add_feature(problem, system, constraints.features[f], weights.features[f], options.loss, solution.x.data(),
-                solution.unknowns);
-  }
-  for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
-    const DistanceConstraint& distance = constraints.distances[d];
-    if (distance.binds) {
-      problem.AddResidualBlock(new DistanceCost(constraints, distance, weights.distances[d]), nullptr,
-                               solution.unknowns[constraints.features[distance.first].group].values.data());
-    }
-  }
   ceres::Solver::Options ceres_options = solver_options(options);
-  if (constraints.groups.empty()) {
-    ceres_options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  } else {
+  StopWhenStill stop_when_still;
+  ceres_options.callbacks.push_back(&stop_when_still);
+  ceres_options.linear_solver_type = ceres::DENSE_QR;
+  if (blocks.size() > 1) {
     ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
     ceres_options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
     ceres_options.linear_solver_ordering->AddElementToGroup(solution.x.data(), 1);
-    for (auto& group : solution.unknowns) {
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    Eigen::Matrix3d reference = Eigen::Matrix3d::Identity();
+    std::vector<double*> parameter_blocks{solution.x.data()};
+    if (b > 0) {
+      GroupState& group = solution.unknowns[b - 1];
+      reference = group.reference;
+      parameter_blocks.push_back(group.values.data());
       ceres_options.linear_solver_ordering->AddElementToGroup(group.values.data(), 0);
     }
+    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, blocks[b], reference,
+                                            at_start == nullptr ? nullptr : &at_start->triangles[b],
+                                            solution.linearisation.triangles[b]);
+    problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem, &summary);
@@ -163,16 +140,6 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   solution.final_cost = summary.final_cost;
   solution.message = summary.message;
   return solution;
-}
-
-LossValue loss_at(Loss loss, double s) {
-  const auto function = make_loss(loss, 1);
-  if (function == nullptr) {
-    return {s, 1.0};
-  }
-  double rho[3];
-  function->Evaluate(s, rho);
-  return {rho[0], rho[1]};
 }
 
 }  // namespace artcal

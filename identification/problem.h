@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "identification/linearisation.h"
 #include "identification/loss.h"
 #include "identification/system.h"
 
@@ -22,25 +23,21 @@ enum class Termination {
 struct Solution {
   Eigen::VectorXd x;  ///< System::arm_at(x) is the arm
   Unknowns unknowns;
+  Linearisation linearisation;  ///< at x and unknowns
   Termination termination = Termination::Failed;
   int iterations = 0;
-  double initial_cost = 0.0;  ///< half the sum of squared weighted residuals
+  double initial_cost = 0.0;  ///< half the sum of squared weighted residuals (of ρ with a loss)
   double final_cost = 0.0;
   std::string message;
 };
 
 /// Least squares over the free parameters and all unknowns, by Ceres with analytic Jacobians: Levenberg-
-/// Marquardt that begins as Gauss-Newton. The groups of unknowns are eliminated by Schur complement. One
-/// residual block is a run of one feature's readings; with a robust loss it is one reading, so that the
-/// loss sees readings. One thread: sums keep their order, and so the result its bits.
+/// Marquardt that begins as Gauss-Newton. The unknowns of each group are eliminated by Schur complement.
+/// A residual block is a whole group of unknowns with all its readings, compressed to a triangle
+/// (Linearisation): Ceres sees tens of rows where there are thousands of readings. One thread: sums keep
+/// their order, and so the result its bits.
+/// `at_start` may hold the linearisation at the start, if it is known already.
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
-               const SolveOptions& options = {});
-
-/// ρ(s) of a loss and its derivative at s, the squared residual in units of its variance.
-struct LossValue {
-  double value = 0.0;
-  double slope = 1.0;
-};
-LossValue loss_at(Loss loss, double s);
+               const SolveOptions& options = {}, const Linearisation* at_start = nullptr);
 
 }  // namespace artcal

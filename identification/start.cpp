@@ -4,7 +4,7 @@
 
 #include <Eigen/SVD>
 
-#include "identification/linearised.h"
+#include "identification/linearisation.h"
 #include "identification/problem.h"
 #include "identification/settle.h"
 #include "identification/weights.h"
@@ -40,11 +40,13 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
     return tl::unexpected(unknowns.error());
   }
   const Weights weights = unit_weights(constraints);
-  const Eigen::VectorXd sigma = arm_triangle(system, weights, nominal, *unknowns).jacobiSvd().singularValues();
+  const Linearisation at_nominal = linearise(system, weights, Loss::None, nominal, *unknowns);
+  const Eigen::VectorXd sigma = arm_triangle(at_nominal, system.arm_size()).jacobiSvd().singularValues();
   if (sigma.minCoeff() <= shown_well * sigma.maxCoeff()) {
     return nominal;
   }
-  const Solution solution = solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
+  const Solution solution =
+      solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns), {}, &at_nominal);
   return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
 }
 

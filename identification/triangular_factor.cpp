@@ -50,6 +50,9 @@ Eigen::MatrixXd TriangularFactor::triangle() {
 }
 
 Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& triangle, int nuisance_columns) {
+  if (nuisance_columns == 0) {
+    return triangle;
+  }
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(triangle.leftCols(nuisance_columns));
   qr.setThreshold(1e-12);
   Eigen::MatrixXd rest = triangle.rightCols(triangle.cols() - nuisance_columns);

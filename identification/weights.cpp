@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
+#include "core/statistics.h"
 #include "identification/residual.h"
 
 namespace artcal {
@@ -71,6 +73,26 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
     }
   }
   return weights;
+}
+
+Weights first_weights(const System& system, const Arm& arm, const Unknowns& unknowns, const Noise& noise) {
+  if (noise.encoder) {
+    return posture_weights(system, arm, unknowns, *noise.encoder, *noise.probing);
+  }
+  return noise.reading ? uniform_weights(*system.constraints, *noise.reading) : unit_weights(*system.constraints);
+}
+
+double typical_noise(const Weights& weights) {
+  std::vector<double> sigmas;
+  for (const auto& feature : weights.features) {
+    for (const double weight : feature.scalar) {
+      sigmas.push_back(1.0 / weight);
+    }
+    for (const auto& matrix : feature.matrix) {
+      sigmas.push_back(1.0 / std::cbrt(matrix.determinant()));
+    }
+  }
+  return median(sigmas);
 }
 
 }  // namespace artcal

@@ -17,4 +17,10 @@ Weights uniform_weights(const Constraints& constraints, double sigma);
 /// Readings with a long lever count less, and less across it than along it.
 Weights posture_weights(const System& system, const Arm& arm, const Unknowns& unknowns, double encoder, double probing);
 
+/// The weights to begin with for a noise that is given in one way or the other, or not at all.
+Weights first_weights(const System& system, const Arm& arm, const Unknowns& unknowns, const Noise& noise);
+
+/// The noise of a coordinate that weights stand for, mm; the median where it depends on the posture.
+double typical_noise(const Weights& weights);
+
 }  // namespace artcal

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identification/loss.h"
+#include "identification/system.h"
+
+namespace artcal {
+
+/// The weighted least-squares system at one arm and its unknowns, compressed without loss: for the
+/// readings of each group of unknowns the triangle R of [by unknowns | by arm | residuals], from
+/// Householder reflections over blocks of rows (TriangularFactor). With the last column z, a linear step δ
+/// of the unknowns and the arm leaves ½|R δ + z|² exactly as the thousand rows behind it would; its
+/// singular values are the Jacobian's own, not their squares.
+///
+/// A robust loss enters as in iterated reweighting: each reading's rows are multiplied by √ρ'(s), and what
+/// the cost ½Σρ has beyond that is added to the last diagonal element, which no step can change (ρ is
+/// concave, so that ρ(s) ≥ s·ρ'(s)).
+struct Linearisation {
+  /// First the readings that have no unknowns, then each group of Constraints::groups. Square, upper
+  /// triangular; columns: the group's unknowns, System::free, the residual.
+  std::vector<Eigen::MatrixXd> triangles;
+};
+
+/// Readings and distances of one block of a Linearisation, index 0 being those without unknowns.
+struct Block {
+  int unknowns = 0;            ///< size of its group
+  std::vector<int> features;   ///< into Constraints::features
+  std::vector<int> distances;  ///< into Constraints::distances, binding ones
+};
+std::vector<Block> blocks_of(const Constraints& constraints);
+
+/// The triangle of one block. `reference` and `values` belong to its group.
+Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Loss loss, const Block& block,
+                               const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference,
+                               const double* values);
+
+/// Σρ of one block: twice its cost.
+double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
+                  const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* values);
+
+Linearisation linearise(const System& system, const Weights& weights, Loss loss, const Arm& arm,
+                        const Unknowns& unknowns);
+
+/// The triangle of the arm's parameters alone, all unknowns eliminated: at most one row a parameter.
+Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size);
+
+/// The same system with only some of the arm's parameters, by index.
+Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept);
+
+}  // namespace artcal
