@@ -9,14 +9,14 @@ namespace {
 
 void add_joints(std::vector<Parameter>& all, const Arm& arm, ParameterKind kind, std::string_view symbol, int first) {
   for (int i = 0; i < static_cast<int>(arm.joints.size()); ++i) {
-    if (kind != ParameterKind::Beta || arm.joints[static_cast<std::size_t>(i)].has_beta) {
+    if (kind != ParameterKind::Beta || arm.joints[i].has_beta) {
       all.push_back({fmt::format("{}{}", symbol, i + first), kind, i});
     }
   }
 }
 
 void add_tip(std::vector<Parameter>& all, const Arm& arm, int probe) {
-  const Probe& tip = arm.probes[static_cast<std::size_t>(probe)];
+  const Probe& tip = arm.probes[probe];
   const std::string suffix = arm.probes.size() > 1 ? ":" + tip.name : "";
   if (tip.on_axis) {
     all.push_back({"l" + suffix, ParameterKind::TipZ, probe});

@@ -5,8 +5,8 @@
 namespace artcal {
 
 std::string Recording::where(int reading) const {
-  const Reading& r = readings[static_cast<std::size_t>(reading)];
-  return fmt::format("{}:{}", files[static_cast<std::size_t>(r.file)], r.line);
+  const Reading& r = readings[reading];
+  return fmt::format("{}:{}", files[r.file], r.line);
 }
 
 }  // namespace artcal

@@ -152,7 +152,7 @@ std::string cannot_text(const Coupling& coupling) {
                         coupling.parameters.size());
     for (const ParameterMotion& motion : coupling.lost) {
       text +=
-          fmt::format("  {}: {} is held\n", lost_in_words(coupling, motion), coupling.parameters[motion.leading].name);
+          fmt::format("  {}; {} is held\n", lost_in_words(coupling, motion), coupling.parameters[motion.leading].name);
     }
   }
   if (!coupling.weak.empty()) {

@@ -121,6 +121,11 @@ std::vector<std::string> suspicions(const Identification& result, double length)
                                      parameter.parameter.name, moved));
     }
   }
+  if (!result.noise_is_given && result.noise < 1e-6) {
+    warnings.push_back(
+        "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
+        "real arm");
+  }
   if (result.after.overall.rms > result.before.overall.rms) {
     warnings.push_back("the identified arm fits the readings no better than the nominal one");
   }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
 
 namespace artcal {
 namespace {
+
+// A weak direction has a bit of everything; its largest parts tell what it is.
+constexpr std::ptrdiff_t most_terms = 5;
 
 struct Term {
   const Parameter* parameter;
@@ -71,7 +75,7 @@ std::string lost_in_words(const Coupling& coupling, const ParameterMotion& motio
     return fmt::format("{} {} can be told, {} alone cannot", other.parameter->name,
                        signed_term(-other.coefficient, held), held);
   }
-  return fmt::format("{} move together unseen: {} alone cannot be told", joined(terms), held);
+  return fmt::format("{} move together unseen, {} alone cannot be told", joined(terms), held);
 }
 
 std::string weak_in_words(const Coupling& coupling, const WeakDirection& weak) {
@@ -84,8 +88,9 @@ std::string weak_in_words(const Coupling& coupling, const WeakDirection& weak) {
   const double largest = terms.empty() ? 0.0 : in_millimetres(terms.front());
   const auto small =
       std::find_if(terms.begin(), terms.end(), [&](const Term& term) { return in_millimetres(term) < 0.1 * largest; });
-  const bool more = small != terms.end();
-  terms.erase(small, terms.end());
+  const auto shown = std::min(small, terms.begin() + std::min<std::ptrdiff_t>(most_terms, std::ssize(terms)));
+  const bool more = shown != terms.end();
+  terms.erase(shown, terms.end());
   return joined(terms) + (more ? " and smaller parts" : "") +
          (weak.share_of_scale > 0.7 ? ": mostly the scale of all lengths" : "");
 }

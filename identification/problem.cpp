@@ -138,7 +138,8 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   solution.iterations = static_cast<int>(summary.iterations.size()) - 1;
   solution.initial_cost = summary.initial_cost;
   solution.final_cost = summary.final_cost;
-  solution.message = summary.message;
+  solution.message =
+      summary.termination_type == ceres::USER_SUCCESS ? "the last step moved nothing by a nanometre" : summary.message;
   return solution;
 }
 

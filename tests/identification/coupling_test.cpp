@@ -70,11 +70,8 @@ void expect_base(const Coupling& coupling) {
 
 void expect_scale(const Coupling& coupling) {
   EXPECT_EQ(coupling.scale, ScaleState::Lost);
-  expect_equation(coupling, "d2", {{"d2", 1.0},
-                                   {"d3", 792.7 / 65.5},
-                                   {"d4", 1.0},
-                                   {"d5", 883.2 / 65.5},
-                                   {"l", 183.5 / 65.5}});
+  expect_equation(coupling, "d2",
+                  {{"d2", 1.0}, {"d3", 792.7 / 65.5}, {"d4", 1.0}, {"d5", 883.2 / 65.5}, {"l", 183.5 / 65.5}});
 }
 
 TEST(Coupling, BaseCoordinatesLoseTheTwoWristPairs) {
@@ -118,7 +115,11 @@ TEST(Coupling, BallsOfKnownRadiusKeepTheScaleButWeakly) {
   expect_wrist_pairs(coupling);
   expect_base(coupling);
   EXPECT_EQ(coupling.scale, ScaleState::Weak);
-  for (auto& w : coupling.weak) { printf("weak %g share %g:", w.singular_value, w.share_of_scale); for (int i = 0; i < 25; ++i) printf(" %s %.3g", coupling.parameters[i].name.c_str(), w.motion.coefficients[i]); printf("\n"); }
+  for (auto& w : coupling.weak) {
+    printf("weak %g share %g:", w.singular_value, w.share_of_scale);
+    for (int i = 0; i < 25; ++i) printf(" %s %.3g", coupling.parameters[i].name.c_str(), w.motion.coefficients[i]);
+    printf("\n");
+  }
   for (double s : coupling.singular_values) printf("%g ", s);
   EXPECT_NEAR(coupling.singular_values[20] / coupling.singular_values[0], 0.009, 0.006);
 }
@@ -138,14 +139,23 @@ TEST(Coupling, PandaReadingsTellTwentyFiveOfThirtyOne) {
   ASSERT_TRUE(constraints) << constraints.error().text();
   CouplingOptions options;
   options.angle_scale = 1000.0;
-  const auto coupling = analyse_coupling(*recording, *constraints, *arm_with_fitted_tips(*recording, *constraints, recording->arm, {}), options);
+  const auto coupling = analyse_coupling(*recording, *constraints,
+                                         *arm_with_fitted_tips(*recording, *constraints, recording->arm, {}), options);
   ASSERT_TRUE(coupling) << coupling.error().text();
   EXPECT_EQ(coupling->parameters.size(), 31u);
   EXPECT_EQ(coupling->rank, 25);
   for (double s : coupling->singular_values) printf("%g ", s);
   printf("\n");
-  for (auto& n : held_names(*coupling)) { printf("%s:", n.c_str()); for (auto& [k, v] : equation(*coupling, n)) printf(" %s %g", k.c_str(), v); printf("\n"); }
-  for (auto& w : coupling->weak) { printf("weak %g:", w.singular_value); for (int i = 0; i < 31; ++i) printf(" %s %.3g", coupling->parameters[i].name.c_str(), w.motion.coefficients[i]); printf("\n"); }
+  for (auto& n : held_names(*coupling)) {
+    printf("%s:", n.c_str());
+    for (auto& [k, v] : equation(*coupling, n)) printf(" %s %g", k.c_str(), v);
+    printf("\n");
+  }
+  for (auto& w : coupling->weak) {
+    printf("weak %g:", w.singular_value);
+    for (int i = 0; i < 31; ++i) printf(" %s %.3g", coupling->parameters[i].name.c_str(), w.motion.coefficients[i]);
+    printf("\n");
+  }
 }
 
 }  // namespace
