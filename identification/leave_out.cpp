@@ -55,7 +55,8 @@ std::vector<LeftOut> leave_placements_out(const Recording& recording, const Cons
     return {};
   }
   std::vector<LeftOut> results(places.size());
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const int all = tbb::this_task_arena::max_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, all) : all);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
       results[i] = leave_out(recording, constraints, places[i], identify_without);

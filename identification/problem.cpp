@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include <ceres/ceres.h>
 
@@ -99,6 +100,36 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
 }
 
+/// The solver's numbers in one piece of memory: the groups' unknowns, then the arm's x. Ceres orders
+/// parameter blocks of one elimination group by address; one piece makes that the order of the groups,
+/// whatever the heap looks like, and so the sums and their bits the same on every run.
+class Numbers {
+ public:
+  Numbers(const Eigen::VectorXd& x, const Unknowns& unknowns) {
+    for (const GroupState& group : unknowns) {
+      append(group.values);
+    }
+    append(x);
+  }
+  double* group(std::size_t index) { return all_.data() + starts_[index]; }
+  double* x() { return group(starts_.size() - 1); }
+
+  void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
+    for (std::size_t g = 0; g < unknowns.size(); ++g) {
+      unknowns[g].values = Eigen::VectorXd::Map(group(g), unknowns[g].values.size());
+    }
+    x_out = Eigen::VectorXd::Map(x(), x_out.size());
+  }
+
+ private:
+  void append(const Eigen::VectorXd& values) {
+    starts_.push_back(all_.size());
+    all_.insert(all_.end(), values.begin(), values.end());
+  }
+  std::vector<double> all_;
+  std::vector<std::size_t> starts_;
+};
+
 }  // namespace
 
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
@@ -106,6 +137,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   Solution solution;
   solution.x = x_start;
   solution.unknowns = std::move(start);
+  Numbers numbers(solution.x, solution.unknowns);
   const auto blocks = blocks_of(*system.constraints);
   solution.linearisation.triangles.resize(blocks.size());
   ceres::Problem problem;
@@ -116,16 +148,15 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   if (blocks.size() > 1) {
     ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
     ceres_options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    ceres_options.linear_solver_ordering->AddElementToGroup(solution.x.data(), 1);
+    ceres_options.linear_solver_ordering->AddElementToGroup(numbers.x(), 1);
   }
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Eigen::Matrix3d reference = Eigen::Matrix3d::Identity();
-    std::vector<double*> parameter_blocks{solution.x.data()};
+    std::vector<double*> parameter_blocks{numbers.x()};
     if (b > 0) {
-      GroupState& group = solution.unknowns[b - 1];
-      reference = group.reference;
-      parameter_blocks.push_back(group.values.data());
-      ceres_options.linear_solver_ordering->AddElementToGroup(group.values.data(), 0);
+      reference = solution.unknowns[b - 1].reference;
+      parameter_blocks.push_back(numbers.group(b - 1));
+      ceres_options.linear_solver_ordering->AddElementToGroup(numbers.group(b - 1), 0);
     }
     auto cost = std::make_unique<BlockCost>(system, weights, options.loss, blocks[b], reference,
                                             at_start == nullptr ? nullptr : &at_start->triangles[b],
@@ -134,6 +165,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   }
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem, &summary);
+  numbers.copy_to(solution.x, solution.unknowns);
   solution.termination = termination_of(summary);
   solution.iterations = static_cast<int>(summary.iterations.size()) - 1;
   solution.initial_cost = summary.initial_cost;

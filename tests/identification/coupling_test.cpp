@@ -3,12 +3,12 @@
 #include "identification/coupling.h"
 
 #include <map>
-#include "identification/start.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "acquisition/recording_file.h"
 #include "artefacts/virtual_probing.h"
+#include "identification/lost_text.h"
 #include "tests/support/arms.h"
 
 namespace artcal {
@@ -115,12 +115,6 @@ TEST(Coupling, BallsOfKnownRadiusKeepTheScaleButWeakly) {
   expect_wrist_pairs(coupling);
   expect_base(coupling);
   EXPECT_EQ(coupling.scale, ScaleState::Weak);
-  for (auto& w : coupling.weak) {
-    printf("weak %g share %g:", w.singular_value, w.share_of_scale);
-    for (int i = 0; i < 25; ++i) printf(" %s %.3g", coupling.parameters[i].name.c_str(), w.motion.coefficients[i]);
-    printf("\n");
-  }
-  for (double s : coupling.singular_values) printf("%g ", s);
   EXPECT_NEAR(coupling.singular_values[20] / coupling.singular_values[0], 0.009, 0.006);
 }
 
@@ -132,30 +126,56 @@ TEST(Coupling, MeasuredLengthsToUnknownAnchorsLoseTheBaseOnly) {
   EXPECT_EQ(coupling.scale, ScaleState::Determined);
 }
 
-TEST(Coupling, PandaReadingsTellTwentyFiveOfThirtyOne) {
-  auto recording = read_recording(test::example("two-socket-bar/recording.toml"));
-  ASSERT_TRUE(recording) << recording.error().text();
-  const auto constraints = read_constraints(*recording);
-  ASSERT_TRUE(constraints) << constraints.error().text();
+TEST(Coupling, TheSameEverywhereOnTheSeed) {
+  for (const std::uint64_t seed : {2, 3, 4}) {
+    EXPECT_EQ(analyse(ReadingKind::BaseCoordinates, 4, {}, seed).rank, 23);
+    EXPECT_EQ(analyse(ReadingKind::Distance, 4, {}, seed).rank, 21);
+    EXPECT_EQ(analyse(ReadingKind::Point, 3, {}, seed).rank, 20);
+    EXPECT_EQ(analyse(ReadingKind::Sphere, 4, {}, seed).rank, 21);
+  }
+}
+
+// With lx and ly free the wrist loses four: of a6, d6, theta6, alpha6, lx, ly, lz only three count.
+TEST(Coupling, ATipOffTheAxisLosesFourInTheWrist) {
+  Arm arm = test::gao_arm();
+  arm.probes.front().on_axis = false;
+  arm.probes.front().tip_in_last = {3.0, -2.0, 183.5};
+  VirtualProbing probing;
+  const VirtualRecording made = probe_virtually(arm, probing);
+  const auto constraints = build_constraints(made.recording, made.artefacts);
+  const auto coupling = analyse_coupling(made.recording, *constraints, arm);
+  ASSERT_TRUE(coupling);
+  EXPECT_EQ(coupling->parameters.size(), 27u);
+  EXPECT_EQ(coupling->rank, 23);
+  EXPECT_EQ(held_names(*coupling), (std::vector<std::string>{"a6", "d6", "alpha6", "theta6"}));
+}
+
+TEST(Coupling, AKnownLengthKeepsTheScale) {
   CouplingOptions options;
-  options.angle_scale = 1000.0;
-  const auto coupling = analyse_coupling(*recording, *constraints,
-                                         *arm_with_fitted_tips(*recording, *constraints, recording->arm, {}), options);
-  ASSERT_TRUE(coupling) << coupling.error().text();
-  EXPECT_EQ(coupling->parameters.size(), 31u);
-  EXPECT_EQ(coupling->rank, 25);
-  for (double s : coupling->singular_values) printf("%g ", s);
-  printf("\n");
-  for (auto& n : held_names(*coupling)) {
-    printf("%s:", n.c_str());
-    for (auto& [k, v] : equation(*coupling, n)) printf(" %s %g", k.c_str(), v);
-    printf("\n");
-  }
-  for (auto& w : coupling->weak) {
-    printf("weak %g:", w.singular_value);
-    for (int i = 0; i < 31; ++i) printf(" %s %.3g", coupling->parameters[i].name.c_str(), w.motion.coefficients[i]);
-    printf("\n");
-  }
+  options.not_asked = {"l"};
+  EXPECT_NE(analyse(ReadingKind::Point, 4, options).scale, ScaleState::Lost);
+}
+
+TEST(Coupling, TheOtherMemberOfAPairIsHeldOnRequest) {
+  CouplingOptions options;
+  options.rather_free = {"a6", "d6"};
+  const Coupling coupling = analyse(ReadingKind::BaseCoordinates, 4, options);
+  EXPECT_EQ(held_names(coupling), (std::vector<std::string>{"alpha6", "theta6"}));
+  expect_equation(coupling, "theta6", {{"theta6", 1.0}, {"a6", -tip}});
+}
+
+TEST(Coupling, InWords) {
+  const Coupling point = analyse(ReadingKind::Point);
+  std::vector<std::string> sentences;
+  for (const auto& motion : point.lost) sentences.push_back(lost_in_words(point, motion));
+  EXPECT_EQ(sentences,
+            (std::vector<std::string>{
+                "theta6 + a6/183.5 can be told, a6 alone cannot", "alpha6 - d6/183.5 can be told, d6 alone cannot",
+                "d1 cannot be told at all", "theta1 cannot be told at all",
+                "d2 + 12.102 d3 + d4 + 13.484 d5 + 2.8015 l move together unseen, d2 alone cannot be told"}));
+  const Coupling sphere = analyse(ReadingKind::Sphere);
+  ASSERT_FALSE(sphere.weak.empty());
+  EXPECT_THAT(weak_in_words(sphere, sphere.weak.front()), ::testing::HasSubstr("mostly the scale of all lengths"));
 }
 
 }  // namespace
