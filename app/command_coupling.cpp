@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -40,6 +41,14 @@ Expected<Subject> made_up(const Request& request) {
     return tl::unexpected(file.error());
   }
   VirtualRecording made = probe_virtually(file->arm, request.probing);
+  const auto wanted = static_cast<std::size_t>(request.probing.readings);
+  // An odd number of readings leaves one that makes no pair.
+  if (made.recording.readings.size() < std::max<std::size_t>(1, wanted - wanted % 2)) {
+    return no_solution(
+        fmt::format("only {} of {} readings of this kind can be made up: a distance takes two readings, and the arm "
+                    "must reach what it is to read",
+                    made.recording.readings.size(), wanted));
+  }
   made.recording.name = fmt::format("{} readings at random postures", made.recording.readings.size());
   made.recording.inputs = {file->input};
   auto constraints = build_constraints(made.recording, made.artefacts);

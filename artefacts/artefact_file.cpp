@@ -1,9 +1,11 @@
 #include "artefacts/artefact_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
@@ -30,9 +32,9 @@ FeatureKind read_kind(TomlTable& table) {
   if (kind == "anchor") return FeatureKind::Anchor;
   if (kind == "coordinates") return FeatureKind::Coordinates;
   if (kind != "point") {
-    table.fail("kind", fmt::format("the feature's kind is \"{}\", expected \"point\", \"sphere\", \"anchor\" or "
+    table.fail("kind", fmt::format("the feature's kind is {}, expected \"point\", \"sphere\", \"anchor\" or "
                                    "\"coordinates\"",
-                                   kind));
+                                   in_quotes(kind)));
   }
   return FeatureKind::Point;
 }
@@ -40,6 +42,9 @@ FeatureKind read_kind(TomlTable& table) {
 CertifiedFeature read_feature(TomlTable table, double length) {
   CertifiedFeature feature;
   feature.name = table.text("name");
+  if (feature.name.empty()) {
+    table.fail("name", "the feature's name is empty; readings find it by its name");
+  }
   feature.kind = read_kind(table);
   if (table.has("at")) {
     const auto at = table.numbers("at");
@@ -76,7 +81,7 @@ CertifiedDistance read_distance(TomlTable table, const Artefact& artefact, doubl
   for (const auto& name : names) {
     if (artefact.feature_index(name) < 0) {
       table.fail("between",
-                 fmt::format("the distance names the feature \"{}\", which the artefact does not have", name));
+                 fmt::format("the distance names the feature {}, which the artefact does not have", in_quotes(name)));
       return distance;
     }
   }
@@ -87,13 +92,26 @@ CertifiedDistance read_distance(TomlTable table, const Artefact& artefact, doubl
   if (distance.value <= 0.0) {
     table.fail("value", "a certified distance is not above zero");
   }
-  const auto& from = artefact.features[distance.first].at;
-  const auto& to = artefact.features[distance.second].at;
-  if (from && to && std::abs((*from - *to).norm() - distance.value) > 2.0 * distance.u) {
+  const CertifiedFeature& from = artefact.features[distance.first];
+  const CertifiedFeature& to = artefact.features[distance.second];
+  if (from.kind == FeatureKind::Coordinates || to.kind == FeatureKind::Coordinates) {
+    table.fail("between", "a feature of the kind \"coordinates\" is no single point that a distance could end at");
+  } else if (from.at.has_value() != to.at.has_value()) {
+    // Half known, it would bind the pose to a free point; no certificate says such a thing.
+    table.fail("between", fmt::format("of the features {} and {} only one has certified coordinates; state `at` for "
+                                      "both, or for neither",
+                                      in_quotes(names[0]), in_quotes(names[1])));
+  } else if (from.at && std::abs((*from.at - *to.at).norm() - distance.value) > 2.0 * distance.u) {
     table.fail("value",
                fmt::format("the certified distance between {} and {} is {} mm, but their certified coordinates "
                            "are {} mm apart, which is more than its U away",
-                           names[0], names[1], distance.value, (*from - *to).norm()));
+                           in_quotes(names[0]), in_quotes(names[1]), distance.value, (*from.at - *to.at).norm()));
+  }
+  for (const CertifiedDistance& other : artefact.distances) {
+    if (std::minmax(other.first, other.second) == std::minmax(distance.first, distance.second)) {
+      table.fail("between", fmt::format("the distance between {} and {} is stated twice", in_quotes(names[0]),
+                                        in_quotes(names[1])));
+    }
   }
   return distance;
 }
@@ -104,8 +122,8 @@ void check_names(const Artefact& artefact, TomlTable& root) {
   }
   for (std::size_t i = 0; i < artefact.features.size(); ++i) {
     if (artefact.feature_index(artefact.features[i].name) != static_cast<int>(i)) {
-      root.fail("feature",
-                fmt::format("two features are called \"{}\"; give each its own name", artefact.features[i].name));
+      root.fail("feature", fmt::format("two features are called {}; give each its own name",
+                                       in_quotes(artefact.features[i].name)));
     }
   }
 }
@@ -118,8 +136,8 @@ Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
   const double length = length_unit(units, "length");
   const std::string frame = root.text_or("frame", "artefact");
   if (frame != "artefact" && frame != "base") {
-    root.fail("frame",
-              fmt::format("frame is \"{}\", expected \"artefact\" (pose unknown) or \"base\" (the arm's)", frame));
+    root.fail("frame", fmt::format("frame is {}, expected \"artefact\" (pose unknown) or \"base\" (the arm's)",
+                                   in_quotes(frame)));
   }
   artefact.frame = frame == "base" ? CoordinateFrame::Base : CoordinateFrame::Artefact;
   artefact.expansion_is_known = root.has("expansion_per_K");

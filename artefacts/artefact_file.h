@@ -14,7 +14,8 @@ struct ArtefactFile {
 };
 
 /// Reads artefact.toml. Format: docs/files.md. Refused: two features of one name, a distance that names
-/// an unknown feature or contradicts the certified coordinates beyond its U, an uncertainty of zero.
+/// an unknown feature, is there twice, has coordinates at one end only or contradicts those at both beyond
+/// its U, an uncertainty of zero.
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path);
 
 }  // namespace artcal

@@ -9,11 +9,13 @@
 #include <fmt/format.h>
 
 #include "artefacts/artefact_file.h"
+#include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-using Key = std::tuple<int, int, int>;  // artefact, placement, feature
+using Key = std::tuple<int, int, int>;   // artefact, placement, feature
+constexpr std::size_t most_known = 200;  // characters of a list in a message: a step gauge has many features
 
 Location location_of(const Artefact& artefact, const CertifiedFeature& feature) {
   if (!feature.at && feature.kind != FeatureKind::Coordinates) {
@@ -31,10 +33,11 @@ Expected<int> find_artefact(const Recording& recording, int reading, const std::
     }
     known += (i == 0 ? "" : ", ") + artefacts[i].name;
   }
-  return bad_input(name.empty()
-                       ? fmt::format("the reading names no artefact, and there are several: {}", known)
-                       : fmt::format("the reading names the artefact \"{}\", expected one of: {}", name, known),
-                   recording.where(reading));
+  return bad_input(
+      name.empty() ? fmt::format("the reading names no artefact, and there are several: {}", at_most(most_known, known))
+                   : fmt::format("the reading names the artefact {}, expected one of: {}", in_quotes(name),
+                                 at_most(most_known, known)),
+      recording.where(reading));
 }
 
 Expected<int> find_feature(const Recording& recording, int reading, const Artefact& artefact) {
@@ -47,10 +50,13 @@ Expected<int> find_feature(const Recording& recording, int reading, const Artefa
   for (const auto& feature : artefact.features) {
     known += (known.empty() ? "" : ", ") + feature.name;
   }
-  return bad_input(
-      fmt::format("the reading names {}, which the artefact \"{}\" does not have, expected one of: {}",
-                  name.empty() ? "no feature" : fmt::format("the feature \"{}\"", name), artefact.name, known),
-      recording.where(reading));
+  return bad_input(name.empty()
+                       ? fmt::format("the reading names no feature, expected one of the artefact {}: {}",
+                                     in_quotes(artefact.name), at_most(most_known, known))
+                       : fmt::format("the reading names the feature {}, which the artefact {} does not have, expected "
+                                     "one of: {}",
+                                     in_quotes(name), in_quotes(artefact.name), at_most(most_known, known)),
+                   recording.where(reading));
 }
 
 // Adds what one reading brings of its own; `factor` is the artefact's expansion in this placement.
@@ -60,11 +66,10 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
   constraint.readings.push_back(index);
   if (feature.kind == FeatureKind::Coordinates) {
     if (!reading.reference.allFinite()) {
-      return bad_input(
-          fmt::format("the feature \"{}\" wants the tip's coordinates with each reading, but ref_x, ref_y, "
-                      "ref_z are missing here",
-                      feature.name),
-          recording.where(index));
+      return bad_input(fmt::format("the feature {} wants the tip's coordinates with each reading, but ref_x, ref_y, "
+                                   "ref_z are missing here",
+                                   in_quotes(feature.name)),
+                       recording.where(index));
     }
     constraint.known.emplace_back(reading.reference);
   } else if (feature.at) {
@@ -72,9 +77,9 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
   }
   if (feature.kind == FeatureKind::Anchor) {
     if (!(reading.length > 0.0)) {
-      return bad_input(fmt::format("the feature \"{}\" is an anchor to which a length is measured, expected a number "
+      return bad_input(fmt::format("the feature {} is an anchor to which a length is measured, expected a number "
                                    "above zero in the column length",
-                                   feature.name),
+                                   in_quotes(feature.name)),
                        recording.where(index));
     }
     constraint.distances.push_back(reading.length);
@@ -104,6 +109,12 @@ std::map<std::pair<int, int>, double> temperatures(const Recording& recording, c
   return means;
 }
 
+bool has_certified_lengths(const Artefact& artefact) {
+  return !artefact.distances.empty() ||
+         std::any_of(artefact.features.begin(), artefact.features.end(),
+                     [](const CertifiedFeature& feature) { return feature.at || feature.radius > 0.0; });
+}
+
 void warn_of_temperatures(Constraints& constraints, const std::map<std::pair<int, int>, double>& means) {
   for (std::size_t i = 0; i < constraints.artefacts.size(); ++i) {
     const Artefact& artefact = constraints.artefacts[i];
@@ -113,12 +124,11 @@ void warn_of_temperatures(Constraints& constraints, const std::map<std::pair<int
         worst = std::max(worst, std::abs(mean - artefact.reference_temperature));
       }
     }
-    if (worst > 0.5 && !artefact.expansion_is_known) {
+    if (worst > 0.5 && !artefact.expansion_is_known && has_certified_lengths(artefact)) {
       constraints.warnings.push_back(
-          fmt::format("the artefact \"{}\" was used {:.1f} K away from {} degC, but its file states no "
-                      "expansion_per_K: its lengths "
-                      "were not corrected",
-                      artefact.name, worst, artefact.reference_temperature));
+          fmt::format("the artefact {} was used {:.1f} K away from {} degC, but its file states no "
+                      "expansion_per_K: its lengths were not corrected",
+                      in_quotes(artefact.name), worst, artefact.reference_temperature));
     }
   }
 }
@@ -267,7 +277,7 @@ Expected<Constraints> read_constraints(Recording& recording) {
     }
     for (const auto& other : artefacts) {
       if (other.name == file->artefact.name) {
-        return bad_input(fmt::format("two artefacts of this recording are called \"{}\"", other.name), path);
+        return bad_input(fmt::format("two artefacts of this recording are called {}", in_quotes(other.name)), path);
       }
     }
     recording.inputs.push_back(file->input);

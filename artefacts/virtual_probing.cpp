@@ -15,7 +15,7 @@ namespace artcal {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int max_attempts = 1000;
+constexpr int most_misses = 200;  // in a row; then the arm cannot do what is asked
 
 Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
   Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
@@ -31,7 +31,7 @@ Eigen::Vector3d tip_of(const Arm& arm, const Eigen::VectorXd& q) {
   return Sweep(arm, {}, 0).tip_in_base(sines);
 }
 
-// A random posture on a given point; an arm that cannot reach it from anywhere gets the nearest miss.
+// A random posture on a given point; nothing if the arm does not get there from any of 50 starts.
 std::optional<Eigen::VectorXd> posture_on(const Arm& arm, const Eigen::Vector3d& target, RandomStream& random) {
   for (int attempt = 0; attempt < 50; ++attempt) {
     if (auto q = reach_point(arm, 0, target, random_posture(arm, random))) {
@@ -101,12 +101,16 @@ VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, 
                     {{0, 1, length, 1e-3}}};
   Recorder recorder(arm, artefact.name);
   int pairs = 0;
-  for (int attempt = 0; pairs < options.readings / 2 && attempt < max_attempts * options.readings; ++attempt) {
+  int misses = 0;
+  while (pairs < options.readings / 2 && misses < most_misses) {
     const Eigen::VectorXd first = random_posture(arm, random);
     if (const auto second = posture_on(arm, tip_of(arm, first) + length * random.direction(), random)) {
       const std::string placement = fmt::format("{}", ++pairs);
       recorder.add(first, placement, "1", no_reference, nan);
       recorder.add(*second, placement, "2", no_reference, nan);
+      misses = 0;
+    } else {
+      ++misses;
     }
   }
   return {recorder.finish(), {artefact}};
@@ -120,18 +124,22 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
   Artefact artefact{"features", CoordinateFrame::Artefact, {}, {}};
   Recorder recorder(arm, artefact.name);
   const double ball = options.ball_radius + arm.probes.front().radius;
-  for (int f = 0; f < options.features; ++f) {
+  int misses = 0;
+  for (int f = 0; f < options.features && misses < most_misses; ++f) {
     const std::string name = fmt::format("{}", f + 1);
     artefact.features.push_back({name, kind, {}, options.ball_radius, 0.0});
     const Eigen::Vector3d centre = tip_of(arm, random_posture(arm, random));
     const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
-    for (int i = 0, attempt = 0; i < count && attempt < max_attempts * count; ++attempt) {
+    for (int i = 0; i < count && misses < most_misses;) {
       const Eigen::Vector3d target = kind == FeatureKind::Sphere   ? centre + ball * random.direction()
                                      : kind == FeatureKind::Anchor ? tip_of(arm, random_posture(arm, random))
                                                                    : centre;
       if (const auto q = posture_on(arm, target, random)) {
         recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - centre).norm() : nan);
         ++i;
+        misses = 0;
+      } else {
+        ++misses;
       }
     }
   }

@@ -43,7 +43,8 @@ struct VirtualRecording {
 };
 
 /// Reads `arm` (taken as the truth) at random postures, every joint anywhere on its circle. The same
-/// arguments give the same bits.
+/// arguments give the same bits. There are fewer readings than asked for where the arm cannot do it (one of
+/// two joints on a ball, say, or a distance beyond its reach).
 VirtualRecording probe_virtually(const Arm& arm, const VirtualProbing& options);
 
 }  // namespace artcal
