@@ -13,7 +13,8 @@ constexpr Eigen::Index start_points = 120;  // enough to tell one valley from an
 constexpr int start_count = 12;
 
 // The axis: a point abreast of the centroid (the cloud's origin), the direction, radius and opening there.
-// A negative curvature means that the frame's normal points inwards; both signs name the same surface.
+// A negative curvature means that the frame's normal points inwards; both signs name the same surface. The
+// half angle keeps its sign: below zero the cone opens against the direction.
 Cone cone_of(const RoundState& state) {
   const auto [k, sine, cosine, axes] = state.section();
   const Eigen::Vector3d direction = axes.col(2);
@@ -21,17 +22,31 @@ Cone cone_of(const RoundState& state) {
   const double height = -centre.dot(direction);
   const double side = k < 0.0 ? -1.0 : 1.0;
   const double angle = side * std::atan2(sine, cosine);
-  Cone cone{centre + height * direction, direction, side / k + height * std::tan(angle), angle};
-  if (cone.half_angle < 0.0) {
-    cone.direction = -cone.direction;
-    cone.half_angle = -cone.half_angle;
-  }
-  return cone;
+  return {centre + height * direction, direction, side / k + height * std::tan(angle), angle};
 }
 
-Cylinder cylinder_of(const RoundState& state) {
-  const Cone cone = cone_of(state);
-  return {cone.point, cone.direction, cone.radius};
+// Turned so that it opens along its direction. Last: a derivative at an angle of zero must see its sign.
+void open_forwards(Estimate<Cone>& estimate) {
+  if (estimate.feature.half_angle >= 0.0) {
+    return;
+  }
+  Eigen::Matrix<double, 8, 1> sense = Eigen::Matrix<double, 8, 1>::Ones();
+  sense.segment<3>(3).setConstant(-1.0);
+  sense(7) = -1.0;
+  estimate.feature.direction = -estimate.feature.direction;
+  estimate.feature.half_angle = -estimate.feature.half_angle;
+  if (estimate.covariance) {
+    *estimate.covariance = (sense.asDiagonal() * *estimate.covariance * sense.asDiagonal()).eval();
+  }
+}
+
+// The same surface, its point where the axis meets the plane across the base's axis at the base's point:
+// that is how a covariance lets the point move, across the axis and not along it.
+Cone abreast(Cone cone, const Cone& base) {
+  const double along = base.direction.dot(base.point - cone.point) / base.direction.dot(cone.direction);
+  cone.point += along * cone.direction;
+  cone.radius += along * std::tan(cone.half_angle);
+  return cone;
 }
 
 // The deepest of the valleys that the starts lead into, followed to the bottom on all the points.
@@ -73,6 +88,10 @@ std::string undetermined(std::string_view feature) {
 
 Expected<Estimate<Cylinder>> least_squares_cylinder(const Cloud& cloud, const FitOptions& options) {
   const auto solution = deepest<false>(cloud, start_cylinders(thinned(cloud, start_points), start_count));
+  const auto cylinder_of = [base = cone_of(solution.state)](const RoundState& state) {
+    const Cone cone = abreast(cone_of(state), base);
+    return Cylinder{cone.point, cone.direction, cone.radius};
+  };
   auto [estimate, unit] =
       estimate_of(AxialModel<false>{cloud}, solution, static_cast<int>(cloud.size()), options, cylinder_of);
   if (!unit) {
@@ -88,11 +107,15 @@ Expected<Estimate<Cylinder>> least_squares_cylinder(const Cloud& cloud, const Fi
 
 Expected<Estimate<Cone>> least_squares_cone(const Cloud& cloud, const FitOptions& options) {
   const auto solution = deepest<true>(cloud, start_cones(thinned(cloud, start_points), start_count));
+  const auto feature_of = [base = cone_of(solution.state)](const RoundState& state) {
+    return abreast(cone_of(state), base);
+  };
   auto [estimate, unit] =
-      estimate_of(AxialModel<true>{cloud}, solution, static_cast<int>(cloud.size()), options, cone_of);
+      estimate_of(AxialModel<true>{cloud}, solution, static_cast<int>(cloud.size()), options, feature_of);
   if (!unit) {
     return no_solution(undetermined("cone"));
   }
+  open_forwards(estimate);
   const double noise = noise_or_rounding(cloud, estimate.noise);
   const double angle = estimate.feature.half_angle;
   const double angle_doubt = noise * std::sqrt((*unit)(7, 7));

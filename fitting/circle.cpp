@@ -73,6 +73,9 @@ Expected<Estimate<Circle>> projected(const Cloud& cloud, const FitOptions& optio
 }
 
 Expected<Estimate<Circle>> spatial(const Cloud& cloud, const FitOptions& options) {
+  if (const auto plane = least_squares_plane(cloud, options); !plane) {
+    return tl::unexpected(plane.error());
+  }
   const CircleModel<true> model{cloud};
   const auto solution = minimise(model, start_circle(cloud), 200);
   auto [estimate, unit] = estimate_of(model, solution, 2 * static_cast<int>(cloud.size()), options, circle_of);

@@ -81,8 +81,6 @@ bool well_spread(const Eigen::Matrix4d& inverse, double count) {
   return std::isfinite(inverse.sum()) && inverse.norm() * count < 1.0 / plain && inverse.diagonal().minCoeff() > 0.0;
 }
 
-bool near_enough(double relative) { return relative < arrived; }
-
 // Newton's method; each step leaves its own square of the way.
 std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin, const Sphere& start) {
   constexpr int max_steps = 20;
@@ -99,7 +97,7 @@ std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin
     }
     at = moved(at, step);
     ++bottom.steps;
-    if (near_enough(relative * relative)) {
+    if (relative < 1e-8) {
       return bottom;
     }
   }
@@ -133,7 +131,7 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   }
   bottom.sphere = moved(start, way);
   double left = 0.5 * relative * relative / std::sqrt(static_cast<double>(part.cols()));
-  while (!near_enough(left)) {
+  while (left > arrived) {
     const SphereGradient here = sphere_gradient(view_of(points, origin, bottom.sphere));
     const Eigen::Vector4d step = bottom.inverse * downhill(here);
     left = step.cwiseAbs().maxCoeff() / start.radius * std::max(relative, 1e-3);

@@ -13,52 +13,52 @@ namespace artcal {
 
 struct Sphere {
   static constexpr int parameter_count = 4;
-  Eigen::Vector3d centre;
-  double radius;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;
   /// (centre, radius)
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;
 };
 
 struct Plane {
   static constexpr int parameter_count = 6;
-  Eigen::Vector3d point;   ///< the centroid of the fitted points
-  Eigen::Vector3d normal;  ///< unit
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< the centroid of the fitted points
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit
   /// (point, normal); the point moves along the normal only
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;
 };
 
 struct Line {
   static constexpr int parameter_count = 6;
-  Eigen::Vector3d point;      ///< the centroid of the fitted points
-  Eigen::Vector3d direction;  ///< unit
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();       ///< the centroid of the fitted points
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit
   /// (point, direction); the point moves across the line only
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;
 };
 
 struct Circle {
   static constexpr int parameter_count = 7;
-  Eigen::Vector3d centre;
-  Eigen::Vector3d normal;  ///< of the circle's plane, unit
-  double radius;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of the circle's plane, unit
+  double radius = 0.0;
   /// (centre, normal, radius)
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;
 };
 
 struct Cylinder {
   static constexpr int parameter_count = 7;
-  Eigen::Vector3d point;      ///< of the axis, abreast of the centroid of the fitted points
-  Eigen::Vector3d direction;  ///< of the axis, unit
-  double radius;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();       ///< of the axis, abreast of the centroid of the fitted points
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of the axis, unit
+  double radius = 0.0;
   /// (point, direction, radius); the point moves across the axis only
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;
 };
 
 struct Cone {
   static constexpr int parameter_count = 8;
-  Eigen::Vector3d point;      ///< of the axis, abreast of the centroid of the fitted points
-  Eigen::Vector3d direction;  ///< of the axis, unit, from the apex into the opening
-  double radius;              ///< across the axis at `point`
-  double half_angle;          ///< between axis and surface, in (0, π/2)
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();       ///< of the axis, abreast of the centroid of the fitted points
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< of the axis, unit, from the apex into the opening
+  double radius = 0.0;                                   ///< across the axis at `point`
+  double half_angle = 0.0;                               ///< between axis and surface, in (0, π/2)
   [[nodiscard]] Eigen::Vector3d apex() const;
   /// (point, direction, radius, half_angle); the point moves across the axis only
   [[nodiscard]] Eigen::Matrix<double, parameter_count, 1> parameters() const;

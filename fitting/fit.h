@@ -45,8 +45,9 @@ struct FitOptions {
   /// The points are centres of a tip of this radius, mm: the feature is the surface it touched.
   double tip_radius = 0.0;
   Side side = Side::Outside;
-  /// Normals and directions are turned to point this way. A plane with a tip radius needs it: from the
-  /// material towards the probe. Without it the largest component of the vector is made positive.
+  /// Normals and directions are turned to point this way. A plane with a tip radius needs it, from the
+  /// material towards the probe, and so does a sphere of known radius whose points lie in one plane. Without it the
+  /// largest component of the vector is made positive.
   std::optional<Eigen::Vector3d> towards;
 };
 

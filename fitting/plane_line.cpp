@@ -21,7 +21,8 @@ Expected<Estimate<Plane>> least_squares_plane(const Cloud& cloud, const FitOptio
   Estimate<Plane> estimate{{Eigen::Vector3d::Zero(), cloud.axes.col(2)}};
   estimate.degrees_of_freedom = static_cast<int>(cloud.size()) - 3;
   estimate.noise = noise_of(cloud, options, cloud.spread(2) * cloud.spread(2), estimate.degrees_of_freedom);
-  if (noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(1)) {
+  const bool as_thick_as_wide = cloud.spread(2) > 0.3 * cloud.spread(1);
+  if (as_thick_as_wide || noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(1)) {
     return no_solution(
         "the points do not tell a plane: they lie on one line, as far as their scatter shows; "
         "probe points beside it");
@@ -41,7 +42,8 @@ Expected<Estimate<Line>> least_squares_line(const Cloud& cloud, const FitOptions
   Estimate<Line> estimate{{Eigen::Vector3d::Zero(), cloud.axes.col(0)}};
   estimate.degrees_of_freedom = 2 * static_cast<int>(cloud.size()) - 4;
   estimate.noise = noise_of(cloud, options, cloud.spread.tail<2>().squaredNorm(), estimate.degrees_of_freedom);
-  if (noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(0)) {
+  const bool as_wide_as_long = cloud.spread(1) > 0.5 * cloud.spread(0);
+  if (as_wide_as_long || noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(0)) {
     return no_solution(
         "the points do not tell a line: they scatter as far across it as along it; "
         "probe points further apart");

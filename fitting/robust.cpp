@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -29,12 +28,6 @@ constexpr Eigen::Index judged_points = 2000;  // a median over that many is as g
 // Rousseeuw and Leroy's.
 double scale_of(double median_distance, Eigen::Index points, int parameters) {
   return 1.4826 * (1.0 + 5.0 / std::max<double>(1.0, static_cast<double>(points - parameters))) * median_distance;
-}
-
-std::vector<int> every_point(Eigen::Index count) {
-  std::vector<int> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
 }
 
 // Different columns, drawn without replacement (Floyd).

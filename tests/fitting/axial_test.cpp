@@ -1,0 +1,130 @@
+// Cylinders and cones: the starts must lead to the deepest valley, whatever the patch.
+#include <gtest/gtest.h>
+
+#include "tests/fitting/shapes.h"
+
+namespace artcal::test {
+namespace {
+
+// A patch of a cone (half_angle 0: a cylinder): the arc is about one side, heights about the point.
+Eigen::Matrix3Xd patch(double radius, double half_angle, double arc, double length, int across, int along) {
+  Eigen::Matrix3Xd points(3, across * along);
+  for (int i = 0; i < across * along; ++i) {
+    const double turn = arc * ((i % across + 0.5) / across - 0.5);
+    const double height = length * ((i / across + 0.5) / along - 0.5);
+    points.col(i) = around({12.0, -7.0, 30.0}, radius + height * std::tan(half_angle), turn, height);
+  }
+  return points;
+}
+
+// As a file has it: five decimals.
+Eigen::Matrix3Xd rounded(const Eigen::Matrix3Xd& points) { return (points * 1e5).array().round() / 1e5; }
+
+template <typename F>
+void expect_found(const Eigen::Matrix3Xd& points, const F& truth, double length, double angle) {
+  const auto fitted = fit<F>(points);
+  ASSERT_TRUE(fitted) << fitted.error().text();
+  EXPECT_EQ(fitted->status, FitStatus::Converged);
+  const Apart difference = apart(fitted->feature, truth);
+  EXPECT_LT(difference.length, length) << difference;
+  EXPECT_LT(difference.angle, angle) << difference;
+}
+
+TEST(AxialFit, CylinderPatchesOfEveryArc) {
+  for (const double degrees : {3.0, 6.0, 15.0, 45.0, 120.0, 270.0, 360.0}) {
+    for (const double length : {2.0, 20.0, 300.0}) {
+      SCOPED_TRACE(testing::Message() << degrees << "° × " << length);
+      const double arc = degrees * pi / 180.0;
+      expect_found(patch(25.0, 0.0, arc, length, 9, 5), Cylinder{{12.0, -7.0, 30.0}, a_direction, 25.0},
+                   1e-12 / (arc * arc) + 1e-11, 1e-13 / arc + 1e-12);
+    }
+  }
+}
+
+TEST(AxialFit, ConePatchesOfEveryArcAndOpening) {
+  for (const double degrees : {6.0, 15.0, 45.0, 120.0, 360.0}) {
+    for (const double half_angle : {0.02, 0.2, 0.7, 1.2, 1.45}) {
+      SCOPED_TRACE(testing::Message() << degrees << "° opening " << half_angle);
+      const double arc = degrees * pi / 180.0;
+      const double length = 30.0 * std::cos(half_angle);
+      expect_found(patch(25.0, half_angle, arc, length, 9, 5), Cone{{12.0, -7.0, 30.0}, a_direction, 25.0, half_angle},
+                   1e-9, 1e-10);
+    }
+  }
+}
+
+TEST(AxialFit, TenMetresFromSevenMillimetresOfSagitta) {
+  const double arc = 2.0 * std::acos(1.0 - 7.0 / 10'000.0);
+  expect_found(patch(10'000.0, 0.0, arc, 500.0, 9, 5), Cylinder{{12.0, -7.0, 30.0}, a_direction, 10'000.0}, 2e-8,
+               1e-11);
+  expect_found(patch(10'000.0, 0.3, arc, 500.0, 9, 5), Cone{{12.0, -7.0, 30.0}, a_direction, 10'000.0, 0.3}, 1e-5,
+               1e-8);
+}
+
+TEST(AxialFit, RoundedFilesConverge) {
+  for (const double degrees : {4.0, 10.0, 90.0}) {
+    const double arc = degrees * pi / 180.0;
+    const auto cylinder = fit<Cylinder>(rounded(patch(25.0, 0.0, arc, 20.0, 9, 5)));
+    ASSERT_TRUE(cylinder) << cylinder.error().text();
+    EXPECT_EQ(cylinder->status, FitStatus::Converged);
+    EXPECT_LT(cylinder->form, 2e-5);
+    const auto cone = fit<Cone>(rounded(patch(25.0, 0.3, arc, 20.0, 9, 5)));
+    ASSERT_TRUE(cone) << cone.error().text();
+    EXPECT_EQ(cone->status, FitStatus::Converged);
+    EXPECT_LT(cone->form, 2e-5);
+  }
+}
+
+TEST(AxialFit, NoStartBeatsTheAnswer) {
+  // The valley found is at least as deep as the one at the truth, for many random sets.
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const auto points = Shape<Cylinder>::points(12, 0.05, i);
+    const auto fitted = fit<Cylinder>(points);
+    ASSERT_TRUE(fitted) << fitted.error().text();
+    double at_truth = 0.0;
+    for (const auto& p : points.colwise()) {
+      at_truth += std::pow(signed_distance(Shape<Cylinder>::truth(), p), 2);
+    }
+    EXPECT_LE(fitted->residuals.squaredNorm(), at_truth);
+  }
+}
+
+TEST(AxialFit, DegenerateSetsAreNamed) {
+  // One circle; one line; a plane; two parallel lines leave the axis, the radius or both free.
+  EXPECT_EQ(fit<Cylinder>(Shape<Circle>::points(20, 0.0)).error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(fit<Cylinder>(Shape<Line>::points(20, 0.0)).error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(fit<Cylinder>(Shape<Plane>::points(20, 0.0)).error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(fit<Cone>(Shape<Plane>::points(20, 0.0)).error().code, ErrorCode::NoSolution);
+  EXPECT_EQ(fit<Cone>(Shape<Circle>::points(20, 0.0)).error().code, ErrorCode::NoSolution);
+}
+
+TEST(AxialFit, ACylinderIsNoCone) {
+  for (const double noise : {0.0, 0.01}) {
+    const auto fitted = fit<Cone>(Shape<Cylinder>::points(60, noise));
+    ASSERT_FALSE(fitted) << fitted->feature.half_angle;
+    EXPECT_EQ(fitted.error().code, ErrorCode::NoSolution);
+    EXPECT_NE(fitted.error().message.find("cylinder"), std::string::npos) << fitted.error().message;
+  }
+}
+
+TEST(AxialFit, APlaneWithNoiseIsNoCylinder) {
+  const auto fitted = fit<Cylinder>(Shape<Plane>::points(60, 0.01));
+  if (fitted) {
+    // Noise can bend a plane by chance; what may not be is a radius that claims to be known.
+    const double doubt = std::sqrt((*fitted->covariance)(6, 6));
+    EXPECT_GT(doubt, 0.05 * fitted->feature.radius);
+  } else {
+    EXPECT_EQ(fitted.error().code, ErrorCode::NoSolution);
+  }
+}
+
+TEST(AxialFit, TheApexOfACone) {
+  const Cone truth = Shape<Cone>::truth();
+  const auto fitted = fit<Cone>(Shape<Cone>::points(60, 0.0));
+  EXPECT_LT((fitted->feature.apex() - truth.apex()).norm(), 1e-11);
+  EXPECT_GT(fitted->feature.direction.dot(truth.direction), 0.0);
+  EXPECT_NEAR(signed_distance(truth, truth.apex()), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace artcal::test
