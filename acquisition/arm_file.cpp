@@ -43,7 +43,7 @@ Joint read_joint(TomlTable table, double length, double angle) {
 
 Probe read_probe(TomlTable table, double length) {
   Probe probe;
-  probe.name = table.text_or("name", probe.name);
+  probe.name = table.name_or("name", probe.name);
   probe.radius = table.number_or("radius", 0.0) * length;
   probe.on_axis = table.has("l");
   if (probe.on_axis) {
@@ -78,8 +78,8 @@ void check_arm(const Arm& arm, TomlTable& root) {
 
 std::optional<ArmIdentification> read_identification(TomlTable table, const Arm& arm) {
   ArmIdentification known;
-  known.program = table.text("program");
-  known.recording = table.text("recording");
+  known.program = table.name("program");
+  known.recording = table.name("recording");
   known.parameters = table.texts("parameters");
   const auto rows = table.rows("covariance");
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
@@ -181,7 +181,7 @@ Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
   ArmFile result;
   result.input = {path.string(), file->sha256};
   Arm& arm = result.arm;
-  arm.name = root.text_or("name", path.stem().string());
+  arm.name = root.name_or("name", at_most(80, path.stem().string()));
   arm.convention = read_convention(root);
   TomlTable units = root.table("units");
   const double length = length_unit(units, "length");

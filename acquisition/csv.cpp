@@ -11,8 +11,6 @@
 namespace artcal {
 namespace {
 
-bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f; }
-
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && blank(text.front())) {
@@ -117,11 +115,11 @@ Expected<bool> CsvReader::read_row() {
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     line_ = next_line_++;
   } while (row_.empty() || row_.front() == '#');
-  if (const auto at = std::find_if(row_.begin(), row_.end(), is_control); at != row_.end()) {
+  if (const auto control = find_control(row_)) {
     return bad_input(fmt::format("there is a control character (code {}), expected plain text with lines that end in "
                                  "LF or CR LF",
-                                 static_cast<int>(*at)),
-                     where_byte(static_cast<std::size_t>(at - row_.begin())));
+                                 control->code),
+                     where_byte(control->offset));
   }
   fields_.clear();
   starts_.clear();

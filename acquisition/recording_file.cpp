@@ -75,7 +75,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path();
   Recording recording;
   recording.inputs.push_back({path.string(), file->sha256});
-  recording.name = root.text_or("name", path.stem().string());
+  recording.name = root.name_or("name", at_most(80, path.stem().string()));
   const std::string arm_path = root.text("arm");
   for (const auto& name : root.texts("artefacts")) {
     recording.artefact_paths.push_back((folder / name).string());

@@ -28,11 +28,10 @@ struct Request {
   bool kind_is_given = false;
 };
 
-/// Readings, real or made up, and what they were made with.
+/// Readings, real or made up.
 struct Subject {
   Recording recording;
   Constraints constraints;
-  std::optional<std::uint64_t> seed;
 };
 
 Expected<Subject> made_up(const Request& request) {
@@ -55,7 +54,7 @@ Expected<Subject> made_up(const Request& request) {
   if (!constraints) {
     return tl::unexpected(constraints.error());
   }
-  return Subject{std::move(made.recording), std::move(*constraints), request.probing.seed};
+  return Subject{std::move(made.recording), std::move(*constraints)};
 }
 
 Expected<Subject> recorded(const Request& request) {
@@ -67,7 +66,8 @@ Expected<Subject> recorded(const Request& request) {
   if (!constraints) {
     return tl::unexpected(constraints.error());
   }
-  return Subject{std::move(*recording), std::move(*constraints), std::nullopt};
+  recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
+  return Subject{std::move(*recording), std::move(*constraints)};
 }
 
 Expected<Subject> subject_of(const Request& request) {
@@ -93,6 +93,9 @@ Expected<int> analyse_and_tell(const Request& request) {
     return tl::unexpected(subject.error());
   }
   const Recording& recording = subject->recording;
+  if (auto checked = check_outputs({request.common.json}, recording.inputs); !checked) {
+    return tl::unexpected(checked.error());
+  }
   std::vector<std::string> hold = recording.identify.hold;
   hold.insert(hold.end(), request.hold.begin(), request.hold.end());
   std::vector<std::string> free = recording.identify.free;
@@ -112,7 +115,8 @@ Expected<int> analyse_and_tell(const Request& request) {
   if (!coupling) {
     return tl::unexpected(coupling.error());
   }
-  if (auto written = write_json(request.common.json, to_json(recording, *coupling, subject->seed)); !written) {
+  const auto made_up = request.kind_is_given ? std::optional(request.probing) : std::nullopt;
+  if (auto written = write_json(request.common.json, to_json(recording, *coupling, {hold, free, made_up})); !written) {
     return tl::unexpected(written.error());
   }
   if (request.common.talks()) {
@@ -144,9 +148,13 @@ Run set_up_coupling(CLI::App& parser) {
       ->check(CLI::Range(1, 100'000))
       ->needs(kind);
   parser.add_option("--seed", request->probing.seed, "of the random postures")->needs(kind);
-  parser.add_option("--hold", request->hold, "parameters taken as known")->delimiter(',')->type_name("NAMES");
+  parser.add_option("--hold", request->hold, "parameters taken as known")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAMES");
   parser.add_option("--free", request->free, "parameters that are to be free where there is a choice")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAMES");
   parser
       .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")

@@ -100,6 +100,9 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!options) {
     return tl::unexpected(options.error());
   }
+  if (auto checked = check_outputs({request.arm_out, request.common.json}, recording->inputs); !checked) {
+    return tl::unexpected(checked.error());
+  }
   const double reading_seconds = seconds_since(start);
   auto result = identify(*recording, *constraints, *options);
   if (!result) {
@@ -133,9 +136,11 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
   parser.add_option("--hold", request->hold, "parameters to keep at their nominal value, such as l,a1")
       ->delimiter(',')
+      ->allow_extra_args(false)  // else it takes the recording for a name
       ->type_name("NAMES");
   parser.add_option("--free", request->free, "parameters to identify although they are held by default, such as a6")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("NAMES");
   parser.add_option("--loss", request->loss, "how readings far off count")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));

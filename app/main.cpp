@@ -1,12 +1,16 @@
 // artcal: a table of commands. Exit codes: 0 done, 1 done and a verification failed, 2 wrong usage,
 // 3 bad input, 4 no solution.
+#include <algorithm>
 #include <array>
+#include <cstdio>
 #include <exception>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "app/command.h"
 #include "app/version.h"
+#include "core/in_quotes.h"
 
 namespace {
 
@@ -18,14 +22,29 @@ constexpr std::array commands{
 constexpr int wrong_usage = 2;
 constexpr int bad_input = 3;
 
+// A full disk or a closed pipe shows only when the last of the output is flushed.
+int said_all(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+    return exit_code;
+  }
+  fmt::print(stderr, "artcal: standard output cannot be written\n");
+  return bad_input;
+}
+
 int run(int argc, char** argv) {
-  CLI::App parser{"artcal: artefact-based calibration of articulated-arm coordinate measuring machines"};
+  CLI::App parser{"artcal: artefact-based calibration of articulated-arm coordinate measuring machines", "artcal"};
   parser.set_version_flag("--version", fmt::format("artcal {}", artcal::program_version));
   parser.require_subcommand(1);
   parser.footer("`artcal COMMAND --help` says more, with an example.");
   std::array<artcal::Run, commands.size()> runs;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     runs[i] = commands[i].set_up(*parser.add_subcommand(commands[i].name, commands[i].summary));
+  }
+  const std::string_view first = argc > 1 ? argv[1] : "-";
+  if (!first.starts_with('-') &&
+      std::none_of(commands.begin(), commands.end(), [&](const auto& command) { return command.name == first; })) {
+    fmt::print(stderr, "artcal: there is no command {}; artcal --help lists them\n", artcal::in_quotes(first));
+    return wrong_usage;
   }
   try {
     parser.parse(argc, argv);
@@ -34,7 +53,7 @@ int run(int argc, char** argv) {
   }
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (parser.got_subcommand(commands[i].name)) {
-      return runs[i]();
+      return said_all(runs[i]());
     }
   }
   return wrong_usage;

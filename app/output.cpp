@@ -4,12 +4,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
+
+#include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
@@ -29,13 +32,37 @@ bool write_all(int file, const std::string& text) {
   return true;
 }
 
+// A pipe or a device such as /dev/null is written to, never replaced by a file.
+Expected<void> write_device(const std::string& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) {
+    return cannot_write(path);
+  }
+  const bool written = write_all(file, text);
+  const int reason = errno;
+  if (::close(file) != 0 || !written) {
+    errno = written ? errno : reason;
+    return cannot_write(path);
+  }
+  return {};
+}
+
 }  // namespace
 
 Expected<void> write_file(const std::string& path, const std::string& text) {
-  if (std::filesystem::is_directory(path)) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) {
     return bad_input("this is a folder, expected the name of a file to write", path);
   }
-  std::string temporary = path + ".XXXXXX";
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    return write_device(path, text);
+  }
+  // A link stays one: what it leads to is replaced.
+  const auto target = std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))
+                          ? std::filesystem::weakly_canonical(path, ignored).string()
+                          : path;
+  std::string temporary = target + ".XXXXXX";
   const int file = ::mkstemp(temporary.data());
   if (file < 0) {
     return cannot_write(path);
@@ -45,7 +72,7 @@ Expected<void> write_file(const std::string& path, const std::string& text) {
   const bool written = write_all(file, text) && ::fchmod(file, 0666 & ~mask) == 0 && ::fsync(file) == 0;
   const int reason = errno;
   const bool closed = ::close(file) == 0;
-  if (!written || !closed || std::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (!written || !closed || std::rename(temporary.c_str(), target.c_str()) != 0) {
     errno = written ? errno : reason;
     auto error = cannot_write(path);
     ::unlink(temporary.c_str());
@@ -54,12 +81,34 @@ Expected<void> write_file(const std::string& path, const std::string& text) {
   return {};
 }
 
+Expected<void> check_outputs(const std::vector<std::string>& outputs, const std::vector<InputFile>& inputs) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-") {
+      continue;
+    }
+    std::error_code error;
+    for (const InputFile& input : inputs) {
+      if (std::filesystem::equivalent(output, input.path, error)) {
+        return wrong_usage(fmt::format(
+            "{} is an input of this result and would be overwritten; give the output another name", in_quotes(output)));
+      }
+    }
+    const auto file = std::filesystem::weakly_canonical(output, error);
+    if (std::find(files.begin(), files.end(), file) != files.end()) {
+      return wrong_usage(fmt::format("two outputs are to be written to {}; give each its own name", in_quotes(output)));
+    }
+    files.push_back(file);
+  }
+  return {};
+}
+
 Expected<void> write_json(const std::string& path, const nlohmann::ordered_json& json) {
   if (path.empty()) {
     return {};
   }
-  // Names come from files; what is not UTF-8 in them is replaced rather than thrown at.
-  const std::string text = json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  // Names come from files: pure ASCII, so that no terminal obeys them, and what is not UTF-8 is replaced.
+  const std::string text = json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (path != "-") {
     return write_file(path, text);
   }

@@ -1,15 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "acquisition/recording.h"
 #include "core/error.h"
 
 namespace artcal {
 
-/// Writes a file whole or not at all: to a temporary file beside it, flushed to disk, then renamed.
+/// Writes a file whole or not at all: to a temporary file beside it, flushed to disk, then renamed. Pipes
+/// and devices are written to as they are.
 Expected<void> write_file(const std::string& path, const std::string& text);
+
+/// Refuses outputs that would overwrite an input of the same result, or one another. Empty ones and "-" do
+/// not count.
+Expected<void> check_outputs(const std::vector<std::string>& outputs, const std::vector<InputFile>& inputs);
 
 /// Writes JSON to a file, or to standard output for "-"; nothing for an empty path.
 Expected<void> write_json(const std::string& path, const nlohmann::ordered_json& json);

@@ -51,6 +51,18 @@ const char* name_of(ParameterState state) {
   return "identified";
 }
 
+const char* name_of(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::BaseCoordinates: return "base";
+    case ReadingKind::FrameCoordinates: return "frame";
+    case ReadingKind::Point: return "point";
+    case ReadingKind::Distance: return "distance";
+    case ReadingKind::Sphere: return "sphere";
+    case ReadingKind::Length: break;
+  }
+  return "length";
+}
+
 const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
 
 Json coupling_json(const Coupling& coupling) {
@@ -202,8 +214,15 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
   return json;
 }
 
-Json to_json(const Recording& recording, const Coupling& coupling, std::optional<std::uint64_t> seed) {
-  Json json = header(recording, "coupling", seed);
+Json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request) {
+  const auto& made_up = request.made_up;
+  Json json = header(recording, "coupling", made_up ? std::optional(made_up->seed) : std::nullopt);
+  json["options"] = {{"hold", request.hold}, {"free", request.free}};
+  json["made_up"] = nullptr;
+  if (made_up) {
+    json["made_up"] = {
+        {"kind", name_of(made_up->kind)}, {"readings", made_up->readings}, {"features", made_up->features}};
+  }
   json["coupling"] = coupling_json(coupling);
   json["warnings"] = recording.warnings;
   return json;

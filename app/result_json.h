@@ -2,11 +2,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "acquisition/recording.h"
 #include "artefacts/constraint.h"
+#include "artefacts/virtual_probing.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -20,6 +23,12 @@ struct Timings {
 /// Results as JSON. The schema is docs/result-schema.md; `schema_version` changes with it.
 nlohmann::ordered_json to_json(const Recording& recording, const Constraints& constraints,
                                const IdentifyOptions& options, const Identification& result, const Timings& timings);
-nlohmann::ordered_json to_json(const Recording& recording, const Coupling& coupling, std::optional<std::uint64_t> seed);
+
+/// What a coupling analysis was asked.
+struct CouplingRequest {
+  std::vector<std::string> hold, free;
+  std::optional<VirtualProbing> made_up;  ///< how the readings were made, if they were
+};
+nlohmann::ordered_json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request);
 
 }  // namespace artcal

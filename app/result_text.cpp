@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "app/table.h"
+#include "core/in_quotes.h"
 #include "core/units.h"
 #include "identification/lost_text.h"
 
@@ -18,6 +19,9 @@ constexpr std::size_t most_lengths = 12;
 
 std::string mm(double value) { return fmt::format("{:.4f}", value); }
 std::string signed_mm(double value) { return fmt::format("{:+.4f}", value); }
+
+// Names come from files and may be longer than a screen is wide.
+std::string shown(const std::string& name) { return at_most(60, name); }
 
 std::string plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
@@ -50,7 +54,7 @@ Unseen unseen_of(const std::vector<LeftOut>& left_out) {
 }
 
 std::string title_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
-  return fmt::format("{}\narm \"{}\": {}, {}, {}\n\n", recording.name, recording.arm.name,
+  return fmt::format("{}\narm {}: {}, {}, {}\n\n", shown(recording.name), in_quotes(recording.arm.name),
                      plural(recording.readings.size(), "reading"), plural(constraints.features.size(), "feature"),
                      plural(result.after.placements.size(), "placement"));
 }
@@ -91,13 +95,14 @@ std::string placements_text(const Identification& result) {
     const std::string left_rms = left == result.left_out.end() ? ""
                                  : left->refusal.empty()       ? mm(left->deviation.rms)
                                                                : "not possible";
-    table.add({several_artefacts ? after.name.artefact + ", " + after.name.placement : after.name.placement,
+    table.add({several_artefacts ? shown(after.name.artefact) + ", " + shown(after.name.placement)
+                                 : shown(after.name.placement),
                fmt::format("{}", after.readings), mm(result.before.placements[i].rms), mm(after.rms), left_rms});
   }
   std::string text = table.text() + "\n";
   for (const LeftOut& left : result.left_out) {
     if (!left.refusal.empty()) {
-      text += fmt::format("  without placement {}: {}\n\n", left.deviation.name.placement, left.refusal);
+      text += fmt::format("  without placement {}: {}\n\n", shown(left.deviation.name.placement), left.refusal);
     }
   }
   return text;
@@ -115,9 +120,10 @@ std::string lengths_text(const Identification& result) {
       return other.first.artefact == length.first.artefact && other.first.placement == length.first.placement &&
              other.first.feature == length.first.feature && other.second == length.second;
     });
-    table.add({fmt::format("{} {} - {}", length.first.placement, length.first.feature, length.second),
-               mm(length.certified), signed_mm(result.before.lengths[i].error), signed_mm(length.error),
-               same == left.end() ? "" : signed_mm(same->error)});
+    table.add(
+        {fmt::format("{} {} - {}", shown(length.first.placement), shown(length.first.feature), shown(length.second)),
+         mm(length.certified), signed_mm(result.before.lengths[i].error), signed_mm(length.error),
+         same == left.end() ? "" : signed_mm(same->error)});
   }
   return table.text() + "\n";
 }
@@ -174,8 +180,8 @@ std::string outliers_text(const Recording& recording, const Identification& resu
   for (std::size_t i = 0; i < std::min(most_outliers, result.outliers.size()); ++i) {
     const Outlier& outlier = result.outliers[i];
     text += fmt::format("  {}: placement {}, feature {}, {} mm, {:.1f} standard deviations (limit {:.1f})\n",
-                        recording.where(outlier.reading), outlier.name.placement, outlier.name.feature,
-                        signed_mm(outlier.deviation), outlier.standardised, outlier.limit);
+                        at_most(200, recording.where(outlier.reading)), shown(outlier.name.placement),
+                        shown(outlier.name.feature), signed_mm(outlier.deviation), outlier.standardised, outlier.limit);
   }
   if (result.outliers.size() > most_outliers) {
     text += fmt::format("  and {} more, all in the JSON result\n", result.outliers.size() - most_outliers);
@@ -200,8 +206,9 @@ std::string to_text(const Recording& recording, const Constraints& constraints, 
 }
 
 std::string to_text(const Recording& recording, const Coupling& coupling) {
-  std::string text = fmt::format("{}\narm \"{}\": {} residuals, {} unknown coordinates and angles of features\n\n",
-                                 recording.name, recording.arm.name, coupling.residual_count, coupling.unknown_count);
+  std::string text =
+      fmt::format("{}\narm {}: {} residuals, {} unknown coordinates and angles of features\n\n", shown(recording.name),
+                  in_quotes(recording.arm.name), coupling.residual_count, coupling.unknown_count);
   text += fmt::format("rank {} of {}: {} can be told, {} cannot\n", coupling.rank, coupling.parameters.size(),
                       plural(static_cast<std::size_t>(coupling.rank), "combination"),
                       coupling.parameters.size() - static_cast<std::size_t>(coupling.rank));

@@ -41,7 +41,7 @@ FeatureKind read_kind(TomlTable& table) {
 
 CertifiedFeature read_feature(TomlTable table, double length) {
   CertifiedFeature feature;
-  feature.name = table.text("name");
+  feature.name = table.name("name");
   if (feature.name.empty()) {
     table.fail("name", "the feature's name is empty; readings find it by its name");
   }
@@ -130,7 +130,7 @@ void check_names(const Artefact& artefact, TomlTable& root) {
 
 Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
   Artefact artefact;
-  artefact.name = root.text_or("name", path.stem().string());
+  artefact.name = root.name_or("name", at_most(80, path.stem().string()));
   root.text_or("note", "");  // for people; read so that it is a known key
   TomlTable units = root.table("units");
   const double length = length_unit(units, "length");

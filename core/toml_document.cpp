@@ -116,6 +116,19 @@ std::string TomlTable::text_or(std::string_view key, std::string fallback) {
   return has(key) ? text(key) : std::move(fallback);
 }
 
+std::string TomlTable::name(std::string_view key) {
+  std::string found = text(key);
+  if (find_control(found)) {
+    fail(key, fmt::format("`{}` is {}, which holds a line end or another control character, expected plain text", key,
+                          in_quotes(found)));
+  }
+  return found;
+}
+
+std::string TomlTable::name_or(std::string_view key, std::string fallback) {
+  return has(key) ? name(key) : std::move(fallback);
+}
+
 double TomlTable::number(std::string_view key) {
   const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
   const auto value = node == nullptr ? std::nullopt : finite_number(*node);

@@ -22,6 +22,8 @@ class TomlTable {
 
   std::string text(std::string_view key);
   std::string text_or(std::string_view key, std::string fallback);
+  std::string name(std::string_view key);  ///< text of one line without control characters
+  std::string name_or(std::string_view key, std::string fallback);
   double number(std::string_view key);  ///< integer or float; NaN and infinity are refused
   double number_or(std::string_view key, double fallback);
   std::optional<double> optional_number(std::string_view key);

@@ -129,9 +129,9 @@ TEST_F(ArmFileTest, JointsAreOneToTheMost) {
 }
 
 TEST_F(ArmFileTest, EveryDigitComesBack) {
-  const std::vector<std::string> names{
-      "plain", "",       "quote \" backslash \\", "new\nline\ttab\r", "\x01\x1f\x7f",
-      "µ €😀",  "\"\"\"", "# [[joint]]\na = 1",    "\\u0041",          "brace {} {0} %s"};
+  const std::vector<std::string> names{"plain",          "",       "quote \" backslash \\", "tab\t",
+                                       "µ €😀",           "\"\"\"", "# [[joint]] a = 1",     "\\u0041",
+                                       "brace {} {0} %s"};
   for (std::uint64_t i = 0; i < 200; ++i) {
     RandomStream random(1, "arm_file_test", i);
     Arm arm = testing::random_arm(random);
@@ -159,6 +159,18 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
       EXPECT_EQ(file->identification->covariance, known->covariance);
     }
     EXPECT_EQ(arm_file_text(file->arm, file->identification), arm_file_text(arm, known));
+  }
+}
+
+TEST_F(ArmFileTest, RefusesNamesThatATerminalWouldObey) {
+  // What is written can be parsed again whatever the name; it is the name that is refused.
+  for (const char* name : {"new\nline", "\r", "\x01", "\x1f\x7f", "\u009b2J"}) {
+    Arm arm = read(text_)->arm;
+    arm.name = name;
+    EXPECT_THAT(refusal(arm_file_text(arm, std::nullopt)), HasSubstr("another control character"));
+    arm = read(text_)->arm;
+    arm.probes[0].name = name;
+    EXPECT_THAT(refusal(arm_file_text(arm, std::nullopt)), HasSubstr("another control character"));
   }
 }
 

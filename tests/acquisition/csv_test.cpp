@@ -87,6 +87,7 @@ TEST(Csv, HeadersAreChecked) {
 
 TEST(Csv, ControlCharactersAreRefused) {
   EXPECT_THAT(refusal("a,b\n1,x\x1b[2J\n"), StartsWith("f.csv:2:4: there is a control character (code 27)"));
+  EXPECT_THAT(refusal("a,b\n1,x\u009b2J\n"), StartsWith("f.csv:2:4: there is a control character (code 155)"));
   EXPECT_THAT(refusal("a,b\r1,2\r"), HasSubstr("(code 13), expected plain text with lines that end in LF or CR LF"));
   EXPECT_THAT(refusal("a,b\x7f\n"), HasSubstr("code 127"));
 }

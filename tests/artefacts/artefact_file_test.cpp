@@ -198,6 +198,13 @@ TEST_F(ArtefactFileTest, RefusesAnExpansionThatIsNoSolids) {
   EXPECT_EQ(refusal("11.5e-6", "-0.1e-6"), "accepted") << "some glasses shrink";
 }
 
+TEST_F(ArtefactFileTest, RefusesNamesThatATerminalWouldObey) {
+  EXPECT_THAT(refusal("name = \"bar\"", "name = \"bar\\nWarning: none\""),
+              StartsWith("bar.toml:2:8: `name` is \"bar?Warning: none\", which holds a line end"));
+  EXPECT_THAT(refusal("name = \"B\"", "name = \"\\u001b[2J\""), HasSubstr("another control character"));
+  EXPECT_EQ(refusal("name = \"bar\"", "note = \"two\\nlines\""), "accepted") << "a note is never shown";
+}
+
 TEST_F(ArtefactFileTest, ShowsHostileNamesHarmlessly) {
   const std::string hostile = "\\u001b[2J" + std::string(5000, 'x');
   const std::string message = refusal("[\"A\", \"B\"]", "[\"A\", \"" + hostile + "\"]");
