@@ -79,9 +79,10 @@ configure() {
   (cd "$root" && cmake "${fresh[@]}" --preset "$preset")
 }
 
-# build_preset PRESET: installs, configures and builds; on return the preset's folder is up to date.
+# build_preset PRESET [TARGET]: installs, configures and builds; on return the preset's folder is up to date.
 build_preset() {
-  local preset=$1 folder="$root/build/$1" log="$root/build/$1.log"
+  local preset=$1 folder="$root/build/$1" log="$root/build/$1.log" target=()
+  [[ -n ${2:-} ]] && target=(--target "$2")
   mkdir -p "$root/build" 2>/dev/null || fail "cannot write to $root; copy the project to a folder of your own"
   exec 9>"$root/build/.lock"
   flock 9 # two calls at once: the second waits and finds everything built
@@ -96,7 +97,7 @@ build_preset() {
   fi
   # The stamp is as old as the start of the build, so that whatever changes meanwhile is newer.
   touch "$folder/.building"
-  if ! cmake --build "$folder" --parallel "$(job_count)" 2>&1 | tee -a "$log" | show_progress; then
+  if ! cmake --build "$folder" "${target[@]}" --parallel "$(job_count)" 2>&1 | tee -a "$log" | show_progress; then
     show_errors "$log"
     fail "the build failed; see above and build/$preset.log"
   fi

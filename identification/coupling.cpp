@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/SVD>
 
 #include "identification/consistent.h"
 #include "identification/settle.h"
+#include "identification/svd.h"
 #include "identification/weights.h"
 
 namespace artcal {
@@ -170,8 +170,8 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Weights weights = first_weights(system, arm, *unknowns, options.noise);
   Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
   const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  coupling.singular_values = svd.singularValues();
+  const Svd decomposition = svd(triangle);
+  coupling.singular_values = decomposition.values;
   coupling.rank =
       static_cast<int>((coupling.singular_values.array() > options.lost_below * coupling.singular_values[0]).count());
 
@@ -181,7 +181,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
       order.push_back(name);
     }
   }
-  const Eigen::MatrixXd& v = svd.matrixV();
+  const Eigen::MatrixXd& v = decomposition.right_vectors;
   const Eigen::MatrixXd null_space = v.rightCols(v.cols() - coupling.rank);
   const auto lost_scaled =
       reduce(null_space, indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free));

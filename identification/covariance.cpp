@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/SVD>
-
 #include "identification/rows.h"
+#include "identification/svd.h"
 
 namespace artcal {
 namespace {
@@ -49,12 +48,11 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
 
 std::optional<Eigen::MatrixXd> arm_covariance(const System& system, const Linearisation& linearisation) {
   const Eigen::MatrixXd triangle = arm_triangle(linearisation, system.arm_size());
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const auto [sigma, v] = svd(triangle);
   if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd root = system.scale.asDiagonal() * svd.matrixV() * sigma.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd root = system.scale.asDiagonal() * v * sigma.cwiseInverse().asDiagonal();
   return root * root.transpose();
 }
 

@@ -3,7 +3,9 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <Eigen/Dense>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include "identification/residual.h"
 #include "identification/rows.h"

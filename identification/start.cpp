@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
-
 #include "identification/linearisation.h"
 #include "identification/problem.h"
 #include "identification/settle.h"
+#include "identification/svd.h"
 #include "identification/weights.h"
 
 namespace artcal {
@@ -41,7 +40,7 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
   }
   const Weights weights = unit_weights(constraints);
   const Linearisation at_nominal = linearise(system, weights, Loss::None, nominal, *unknowns);
-  const Eigen::VectorXd sigma = arm_triangle(at_nominal, system.arm_size()).jacobiSvd().singularValues();
+  const Eigen::VectorXd sigma = svd(arm_triangle(at_nominal, system.arm_size())).values;
   if (sigma.minCoeff() <= shown_well * sigma.maxCoeff()) {
     return nominal;
   }
