@@ -22,6 +22,22 @@ FitOptions before_tip(FitOptions options) {
   return options;
 }
 
+// A turned direction takes its covariance along: rows and columns three to five change sign.
+template <typename F>
+void orient(Fitted<F>& fitted, const FitOptions& options) {
+  Eigen::Vector3d* direction = turnable(fitted.feature);
+  if (direction == nullptr || !points_away(*direction, options)) {
+    return;
+  }
+  *direction = -*direction;
+  if constexpr (F::parameter_count >= 6) {
+    if (fitted.covariance) {
+      fitted.covariance->template middleRows<3>(3) *= -1.0;
+      fitted.covariance->template middleCols<3>(3) *= -1.0;
+    }
+  }
+}
+
 template <typename F>
 Expected<Fitted<F>> without_tip(Fitted<F> fitted, const FitOptions& options) {
   if constexpr (std::is_same_v<F, Sphere>) {
@@ -59,7 +75,7 @@ Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
     return tl::unexpected(found.error());
   }
   Fitted<F> fitted = in_frame(*cloud, *found);
-  orient(fitted.feature, options);
+  orient(fitted, options);
   describe(points, options, fitted);
   return without_tip(std::move(fitted), options);
 }

@@ -18,15 +18,6 @@ Expected<void> shrink(double& radius, double offset) {
   return {};
 }
 
-void turn(Eigen::Vector3d& direction, const FitOptions& options) {
-  Eigen::Index largest = 0;
-  direction.cwiseAbs().maxCoeff(&largest);
-  const double sense = options.towards ? direction.dot(*options.towards) : direction(largest);
-  if (sense < 0.0) {
-    direction = -direction;
-  }
-}
-
 }  // namespace
 
 double tip_offset(const FitOptions& options) {
@@ -57,11 +48,17 @@ Expected<void> take_tip_off(Plane& plane, const FitOptions& options) {
 
 Expected<void> take_tip_off(Line&, const FitOptions&) { return {}; }
 
-void orient(Sphere&, const FitOptions&) {}
-void orient(Cone&, const FitOptions&) {}
-void orient(Plane& plane, const FitOptions& options) { turn(plane.normal, options); }
-void orient(Line& line, const FitOptions& options) { turn(line.direction, options); }
-void orient(Circle& circle, const FitOptions& options) { turn(circle.normal, options); }
-void orient(Cylinder& cylinder, const FitOptions& options) { turn(cylinder.direction, options); }
+Eigen::Vector3d* turnable(Sphere&) { return nullptr; }
+Eigen::Vector3d* turnable(Cone&) { return nullptr; }
+Eigen::Vector3d* turnable(Plane& plane) { return &plane.normal; }
+Eigen::Vector3d* turnable(Line& line) { return &line.direction; }
+Eigen::Vector3d* turnable(Circle& circle) { return &circle.normal; }
+Eigen::Vector3d* turnable(Cylinder& cylinder) { return &cylinder.direction; }
+
+bool points_away(const Eigen::Vector3d& direction, const FitOptions& options) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return (options.towards ? direction.dot(*options.towards) : direction(largest)) < 0.0;
+}
 
 }  // namespace artcal::fitting

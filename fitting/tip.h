@@ -16,13 +16,16 @@ Expected<void> take_tip_off(Line& line, const FitOptions& options);  ///< has no
 /// Distance from the axis or centre to the tip's centres, less that to the surface, mm.
 double tip_offset(const FitOptions& options);
 
-/// Turns normals and directions as FitOptions::towards says. A sphere has none; a cone's points into its
-/// opening and stays.
-void orient(Sphere& sphere, const FitOptions& options);
-void orient(Plane& plane, const FitOptions& options);
-void orient(Line& line, const FitOptions& options);
-void orient(Circle& circle, const FitOptions& options);
-void orient(Cylinder& cylinder, const FitOptions& options);
-void orient(Cone& cone, const FitOptions& options);
+/// The normal or direction that FitOptions::towards turns, or none: a sphere has none, and a cone's points
+/// into its opening.
+Eigen::Vector3d* turnable(Sphere& sphere);
+Eigen::Vector3d* turnable(Plane& plane);
+Eigen::Vector3d* turnable(Line& line);
+Eigen::Vector3d* turnable(Circle& circle);
+Eigen::Vector3d* turnable(Cylinder& cylinder);
+Eigen::Vector3d* turnable(Cone& cone);
+
+/// Whether a direction points the wrong way.
+bool points_away(const Eigen::Vector3d& direction, const FitOptions& options);
 
 }  // namespace artcal::fitting

@@ -54,12 +54,13 @@ TYPED_TEST(FeatureProperties, TheCovarianceTurnsWithTheFrame) {
   constexpr int n = TypeParam::parameter_count;
   Eigen::Matrix<double, n, n> turn = Eigen::Matrix<double, n, n>::Identity();
   turn.template topLeftCorner<3, 3>() = a_motion().rotation;
-  if (n >= 6) {
-    turn.template block<3, 3>(n >= 6 ? 3 : 0, n >= 6 ? 3 : 0) = a_motion().rotation;
+  if constexpr (n >= 6) {
+    const Eigen::Vector3d turned = a_motion().rotation * still.feature.parameters().template segment<3>(3);
+    const double sense = turned.dot(after.feature.parameters().template segment<3>(3)) < 0.0 ? -1.0 : 1.0;
+    turn.template block<3, 3>(3, 3) = sense * a_motion().rotation;
   }
-  // Squaring removes the sign that a turned normal or direction may take.
-  const Eigen::MatrixXd expected = (turn * *still.covariance * turn.transpose()).cwiseAbs();
-  EXPECT_LT((after.covariance->cwiseAbs() - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.maxCoeff());
+  const Eigen::MatrixXd expected = turn * *still.covariance * turn.transpose();
+  EXPECT_LT((*after.covariance - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
 }
 
 TYPED_TEST(FeatureProperties, APermutationDoesNot) {
