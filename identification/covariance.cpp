@@ -33,7 +33,7 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
     const GroupState& group = feature.group < 0 ? none : unknowns[feature.group];
     auto& out = residuals.readings.emplace_back(static_cast<std::size_t>(feature.size() * feature.dimension()));
     weighted_rows(system, feature, weights.features[f], sweeps, group.reference, group.values.data(), 0, feature.size(),
-                  {out.data(), nullptr, nullptr});
+                  {1, out.data()});
   }
   for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
     const DistanceConstraint& distance = constraints.distances[d];

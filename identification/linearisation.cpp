@@ -11,26 +11,16 @@ namespace {
 
 constexpr int readings_at_once = 32;
 
-/// Buffers that every run of readings uses again.
-struct Scratch {
-  std::vector<double> residuals, by_arm, by_group;
-  RowMatrix rows;
-};
-
-// Applies a loss to a run's residuals (and rows): returns Σρ − Σρ'·s, the part of the cost that the rows
-// no longer carry.
-double reweight(Loss loss, int dimension, Eigen::Ref<Eigen::VectorXd> residuals, RowMatrix* rows) {
+// Applies a loss to a run of rows whose last column is the residual: returns Σρ − Σρ'·s, the part of the
+// cost that the rows no longer carry.
+double reweight(Loss loss, int dimension, Eigen::Ref<RowMatrix> rows) {
   double beyond = 0.0;
-  for (Eigen::Index first = 0; first < residuals.size(); first += dimension) {
-    auto r = residuals.segment(first, dimension);
-    const double s = r.squaredNorm() / dimension;
+  for (Eigen::Index first = 0; first < rows.rows(); first += dimension) {
+    auto reading = rows.middleRows(first, dimension);
+    const double s = reading.rightCols<1>().squaredNorm() / dimension;
     const LossValue rho = loss_at(loss, s);
     beyond += dimension * (rho.value - s * rho.slope);
-    const double factor = std::sqrt(rho.slope);
-    r *= factor;
-    if (rows != nullptr) {
-      rows->middleRows(first, dimension) *= factor;
-    }
+    reading *= std::sqrt(rho.slope);
   }
   return beyond;
 }
@@ -60,28 +50,20 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
   const int arm_size = system.arm_size();
   const int columns = block.unknowns + arm_size + 1;
   TriangularFactor factor(columns);
-  Scratch scratch;
+  RowMatrix rows(3 * readings_at_once, columns);
   double beyond = 0.0;
   for (const int f : block.features) {
     const FeatureConstraint& feature = system.constraints->features[f];
+    rows.leftCols(block.unknowns).setZero();  // each feature fills its own columns only
     for (int first = 0; first < feature.size(); first += readings_at_once) {
       const int count = std::min(readings_at_once, feature.size() - first);
-      const int rows = count * feature.dimension();
-      scratch.residuals.resize(static_cast<std::size_t>(rows));
-      scratch.by_arm.resize(static_cast<std::size_t>(rows * arm_size));
-      scratch.by_group.resize(static_cast<std::size_t>(rows * block.unknowns));
-      weighted_rows(
-          system, feature, weights.features[f], sweeps, reference, values, first, count,
-          {scratch.residuals.data(), scratch.by_arm.data(), block.unknowns > 0 ? scratch.by_group.data() : nullptr});
-      scratch.rows.resize(rows, columns);
-      scratch.rows.leftCols(block.unknowns) = Eigen::Map<RowMatrix>(scratch.by_group.data(), rows, block.unknowns);
-      scratch.rows.middleCols(block.unknowns, arm_size) = Eigen::Map<RowMatrix>(scratch.by_arm.data(), rows, arm_size);
-      Eigen::Map<Eigen::VectorXd> residuals(scratch.residuals.data(), rows);
+      weighted_rows(system, feature, weights.features[f], sweeps, reference, values, first, count,
+                    {columns, rows.data() + columns - 1, rows.data() + block.unknowns,
+                     block.unknowns > 0 ? rows.data() : nullptr});
       if (loss != Loss::None) {
-        beyond += reweight(loss, feature.dimension(), residuals, &scratch.rows);
+        beyond += reweight(loss, feature.dimension(), rows.topRows(count * feature.dimension()));
       }
-      scratch.rows.rightCols<1>() = residuals;
-      factor.add(scratch.rows.data(), rows);
+      factor.add(rows.data(), count * feature.dimension());
     }
   }
   for (const int d : block.distances) {
@@ -98,18 +80,16 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
 
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
                   const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* values) {
-  std::vector<double> residuals;
   double sum = 0.0;
   for (const int f : block.features) {
     const FeatureConstraint& feature = system.constraints->features[f];
-    residuals.resize(static_cast<std::size_t>(feature.size() * feature.dimension()));
+    RowMatrix residuals(feature.size() * feature.dimension(), 1);
     weighted_rows(system, feature, weights.features[f], sweeps, reference, values, 0, feature.size(),
-                  {residuals.data(), nullptr, nullptr});
-    Eigen::Map<Eigen::VectorXd> all(residuals.data(), static_cast<Eigen::Index>(residuals.size()));
+                  {1, residuals.data()});
     if (loss != Loss::None) {
-      sum += reweight(loss, feature.dimension(), all, nullptr);
+      sum += reweight(loss, feature.dimension(), residuals);
     }
-    sum += all.squaredNorm();
+    sum += residuals.squaredNorm();
   }
   for (const int d : block.distances) {
     const double residual =

@@ -7,29 +7,28 @@ namespace {
 
 // out(row, ·) = whitening · by_tip · derivative · scale, for the reading's one or three rows.
 void put_arm_rows(const Eigen::Matrix3d& tip_to_rows, int rows, const std::vector<double>& derivative,
-                  const Eigen::VectorXd& scale, double* out) {
-  const auto columns = scale.size();
+                  const Eigen::VectorXd& scale, double* out, std::ptrdiff_t stride) {
   for (int row = 0; row < rows; ++row) {
     const double wx = tip_to_rows(row, 0);
     const double wy = tip_to_rows(row, 1);
     const double wz = tip_to_rows(row, 2);
-    double* line = out + row * columns;
+    double* line = out + row * stride;
     const double* d = derivative.data();
-    for (Eigen::Index column = 0; column < columns; ++column, d += 3) {
+    for (Eigen::Index column = 0; column < scale.size(); ++column, d += 3) {
       line[column] = scale[column] * (wx * d[0] + wy * d[1] + wz * d[2]);
     }
   }
 }
 
 // The frequent case of an unrotated residual with one weight for all directions: a scaled transpose.
-void put_arm_rows(double weight, const std::vector<double>& derivative, const Eigen::VectorXd& scale, double* out) {
-  const auto columns = scale.size();
+void put_arm_rows(double weight, const std::vector<double>& derivative, const Eigen::VectorXd& scale, double* out,
+                  std::ptrdiff_t stride) {
   const double* d = derivative.data();
-  for (Eigen::Index column = 0; column < columns; ++column, d += 3) {
+  for (Eigen::Index column = 0; column < scale.size(); ++column, d += 3) {
     const double w = weight * scale[column];
     out[column] = w * d[0];
-    out[column + columns] = w * d[1];
-    out[column + 2 * columns] = w * d[2];
+    out[column + stride] = w * d[1];
+    out[column + 2 * stride] = w * d[2];
   }
 }
 
@@ -40,14 +39,10 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
                    int first, int count, const RowsOut& out) {
   const FeatureResidual residual(feature, reference, group_values);
   const int rows = feature.dimension();
-  const int group_size = feature.group < 0 ? 0 : system.constraints->groups[feature.group].size;
   const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr;
-  std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
-  if (out.by_group != nullptr) {
-    std::fill_n(out.by_group, static_cast<std::ptrdiff_t>(count) * rows * group_size, 0.0);
-  }
   const bool plain =
       weights.matrix.empty() && feature.demand == Demand::Coincide && feature.location != Location::Posed;
+  std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const int reading = feature.readings[k];
@@ -58,24 +53,24 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
     const Residual r = residual.at(k, tip, derivatives);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
-    if (out.residuals != nullptr) {
-      Eigen::Map<Eigen::VectorXd>(out.residuals + i * rows, rows) =
-          whitening.topLeftCorner(rows, rows) * r.value.head(rows);
+    const std::ptrdiff_t at = i * rows * out.stride;
+    const Eigen::Vector3d value = whitening.leftCols(rows) * r.value.head(rows);
+    for (int row = 0; row < rows; ++row) {
+      out.residuals[at + row * out.stride] = value[row];
     }
     if (out.by_arm != nullptr) {
-      double* lines = out.by_arm + static_cast<std::ptrdiff_t>(i) * rows * system.arm_size();
       if (plain) {
-        put_arm_rows(weights.scalar[k], by_parameters, system.scale, lines);
+        put_arm_rows(weights.scalar[k], by_parameters, system.scale, out.by_arm + at, out.stride);
       } else {
         Eigen::Matrix3d tip_to_rows = r.by_tip;
         tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
-        put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, lines);
+        put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, out.by_arm + at, out.stride);
       }
     }
     if (out.by_group != nullptr) {
-      Eigen::Map<RowMatrix> lines(out.by_group + static_cast<std::ptrdiff_t>(i) * rows * group_size, rows, group_size);
-      lines.middleCols(residual.first_column(), residual.columns()) =
-          whitening.topLeftCorner(rows, rows) * r.by_unknowns.topLeftCorner(rows, residual.columns());
+      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_group + at + residual.first_column(), rows,
+                                                           residual.columns(), Eigen::OuterStride<>(out.stride));
+      lines = whitening.topLeftCorner(rows, rows) * r.by_unknowns.topLeftCorner(rows, residual.columns());
     }
   }
 }

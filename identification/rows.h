@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/Core>
 
 #include "identification/residual.h"
@@ -9,17 +11,19 @@ namespace artcal {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Weighted residuals of a run of one feature's readings and their derivatives, row-major. Any of the
-/// three may be null. Sizes: rows = count · dimension(); `by_arm` rows × System::arm_size();
-/// `by_group` rows × the size of the feature's group.
+/// Where weighted residuals of a run of one feature's readings and their derivatives go: the rows of a
+/// row-major matrix with `stride` numbers a row, `residuals` pointing to the column of the residuals,
+/// `by_arm` to the first of System::arm_size() columns, `by_group` to the first column of the group's
+/// unknowns, which must be zero before. The last two may be null.
 struct RowsOut {
+  std::ptrdiff_t stride = 1;
   double* residuals = nullptr;
   double* by_arm = nullptr;
   double* by_group = nullptr;
 };
 
-/// Computes the rows of readings [first, first + count) of a feature. `sweeps` come from sweeps_of() at
-/// the arm in question, `group_values` and `reference` from its group.
+/// Computes the rows of readings [first, first + count) of a feature, dimension() rows a reading. `sweeps` come from
+/// sweeps_of() at the arm in question, `group_values` and `reference` from its group.
 void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
                    const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* group_values,
                    int first, int count, const RowsOut& out);

@@ -5,9 +5,9 @@
 namespace artcal {
 
 /// The triangular factor R of a tall matrix that never stands in memory as a whole: rows come in blocks,
-/// each block is folded into R by Householder reflections (a QR in a chain). RᵀR = AᵀA, but R comes from A
-/// itself, so that its singular values are A's to full precision. The result depends on the order of the
-/// rows only in the last digits; the order is fixed, so the bits are too.
+/// each block is folded into R by Householder reflections (a QR in a chain; Golub, Van Loan 2013, §6.5.3).
+/// RᵀR = AᵀA, but R comes from A itself, so that its singular values are A's to full precision. The result
+/// depends on the order of the rows only in the last digits; the order is fixed, so the bits are too.
 class TriangularFactor {
  public:
   explicit TriangularFactor(int columns);
@@ -22,7 +22,9 @@ class TriangularFactor {
  private:
   void fold();
 
-  Eigen::MatrixXd stack_;  // the triangle so far on top, waiting rows below it
+  Eigen::MatrixXd triangle_;
+  Eigen::MatrixXd waiting_;  // rows not yet folded; below filled_ they are zero
+  Eigen::VectorXd weights_;  // scratch of fold()
   Eigen::Index filled_ = 0;
 };
 
