@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include "app/command.h"
 #include "app/version.h"
@@ -62,6 +63,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Ceres logs matrices where numbers break down; what a person needs to know of it is in the error's sentence.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

@@ -94,7 +94,7 @@ Expected<void> check_outputs(const std::vector<std::string>& outputs, const std:
             "{} is an input of this result and would be overwritten; give the output another name", in_quotes(output)));
       }
     }
-    const auto file = std::filesystem::weakly_canonical(output, error);
+    const auto file = std::filesystem::weakly_canonical(std::filesystem::absolute(output, error), error);
     if (std::find(files.begin(), files.end(), file) != files.end()) {
       return wrong_usage(fmt::format("two outputs are to be written to {}; give each its own name", in_quotes(output)));
     }

@@ -1,0 +1,400 @@
+// `artcal identify`: what it prints, writes and promises.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "acquisition/arm_file.h"
+#include "acquisition/parameters.h"
+#include "core/hash.h"
+#include "tests/end_to_end/program.h"
+#include "tests/support/example_recording.h"
+
+namespace artcal {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using testing::Ended;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+class Identify : public testing::ProgramTest {};
+
+const std::vector<std::string> bar{"identify", "two-socket-bar/recording.toml"};
+
+std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+// A result without the times it took.
+std::string timeless(const std::string& text) {
+  Json json = Json::parse(text);
+  json.erase("timings_s");
+  return json.dump();
+}
+
+TEST_F(Identify, TellsATechnicianWhatCameOut) {
+  take("two-socket-bar");
+  const Ended ended = run(bar);
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.err, IsEmpty());
+  EXPECT_THAT(ended.out, HasSubstr("Panda on a two-socket bar\n"));
+  EXPECT_THAT(ended.out, HasSubstr("387 readings, 12 features, 6 placements"));
+  EXPECT_THAT(ended.out, ContainsRegex("rms +3\\.1964 +0\\.2048 +0\\.2137"));
+  EXPECT_THAT(ended.out, ContainsRegex("worst certified length, error +\\+1\\.6694"));
+  EXPECT_THAT(ended.out, ContainsRegex("frontright +60 +3\\.2572"));
+  EXPECT_THAT(ended.out, ContainsRegex("d1 +mm +333\\.00000 +333\\.00000 +cannot be told"));
+  EXPECT_THAT(ended.out, HasSubstr("25 of 31 parameters can be told"));
+  EXPECT_THAT(ended.out, HasSubstr("lz + d7 can be told, d7 alone cannot; d7 is held"));
+  EXPECT_THAT(ended.out, HasSubstr("The identified arm was not written; add -o ARM.toml to keep it."));
+  EXPECT_THAT(names(), ElementsAre("two-socket-bar")) << "nothing is left lying about";
+}
+
+TEST_F(Identify, WritesTheArmAndTheResult) {
+  take("two-socket-bar");
+  const Ended ended = run(with(bar, {"-o", "arm.toml", "--json", "r.json"}));
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("The identified arm is in arm.toml."));
+  EXPECT_THAT(names(), ElementsAre("arm.toml", "r.json", "two-socket-bar"));
+
+  const Json json = Json::parse(text_of("r.json"));
+  const auto arm = read_arm_file(file("arm.toml"));
+  ASSERT_TRUE(arm) << arm.error().text();
+  ASSERT_TRUE(arm->identification);
+  EXPECT_EQ(arm->identification->recording, sha256(text_of("two-socket-bar/recording.toml")));
+  EXPECT_EQ(json["inputs"][0]["sha256"], arm->identification->recording);
+  EXPECT_EQ(Json(arm->identification->parameters), json["covariance"]["parameters"]);
+  EXPECT_EQ(arm->identification->parameters.size(), 25u);
+  const Eigen::MatrixXd& covariance = arm->identification->covariance;
+  for (int i = 0; i < 25; ++i) {
+    for (int j = 0; j < 25; ++j) {
+      EXPECT_EQ(covariance(i, j), json["covariance"]["matrix"][i][j].get<double>()) << i << ", " << j;
+    }
+  }
+  int identified = 0;
+  const auto parameters = parameters_of(arm->arm);
+  for (const Json& parameter : json["parameters"]) {
+    const int index = find_parameter(parameters, parameter["name"].get<std::string>());
+    ASSERT_GE(index, 0);
+    EXPECT_EQ(value(arm->arm, parameters[index]), parameter["identified"].get<double>()) << parameter["name"];
+    if (parameter["state"] == "identified") {
+      EXPECT_DOUBLE_EQ(parameter["standard_uncertainty"].get<double>(), std::sqrt(covariance(identified, identified)));
+      ++identified;
+    } else {
+      EXPECT_TRUE(parameter["standard_uncertainty"].is_null());
+      EXPECT_EQ(parameter["identified"], parameter["nominal"]);
+    }
+  }
+  EXPECT_EQ(identified, 25);
+}
+
+TEST_F(Identify, TheIdentifiedArmIsAnArmForTheNextRecording) {
+  take("two-socket-bar");
+  ASSERT_EQ(run(with(bar, {"-q", "-o", "two-socket-bar/identified.toml", "--json", "first.json"})).exit_code, 0);
+  write("two-socket-bar/recording.toml",
+        testing::replaced(text_of("two-socket-bar/recording.toml"), "\"arm.toml\"", "\"identified.toml\""));
+  const Ended again = run(with(bar, {"--json", "second.json", "--quiet"}));
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const Json first = Json::parse(text_of("first.json"));
+  const Json second = Json::parse(text_of("second.json"));
+  EXPECT_EQ(second["coupling"]["rank"], 25) << "before and after identification alike";
+  const double rms = first["after"]["overall"]["rms_mm"].get<double>();
+  EXPECT_NEAR(second["before"]["overall"]["rms_mm"].get<double>(), rms, 1e-9);
+  EXPECT_NEAR(second["after"]["overall"]["rms_mm"].get<double>(), rms, 1e-6);
+}
+
+TEST_F(Identify, JsonOnStandardOutputIsNothingButJson) {
+  take("two-socket-bar");
+  const Ended ended = run(with(bar, {"--json", "-"}));
+  ASSERT_EQ(ended.exit_code, 0);
+  const Json json = Json::parse(ended.out);
+  EXPECT_EQ(json["kind"], "identification");
+  EXPECT_THAT(ended.err, IsEmpty());
+}
+
+TEST_F(Identify, QuietPrintsNothing) {
+  take("two-socket-bar");
+  const Ended ended = run(with(bar, {"--quiet", "-o", "arm.toml"}));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_THAT(ended.out, IsEmpty());
+  EXPECT_THAT(ended.err, IsEmpty());
+  EXPECT_THAT(names(), ElementsAre("arm.toml", "two-socket-bar"));
+}
+
+TEST_F(Identify, TheSameInputGivesTheSameBytesWhateverTheThreads) {
+  for (const char* example : {"two-socket-bar", "ball-bar"}) {
+    take(example);
+    const std::vector<std::string> command{"identify", std::string(example) + "/recording.toml", "-q"};
+    ASSERT_EQ(run(with(command, {"-o", "first.toml", "--json", "first.json"})).exit_code, 0);
+    const std::string arm = text_of("first.toml");
+    const std::string json = timeless(text_of("first.json"));
+    for (const char* threads : {"0", "1", "2", "4"}) {
+      ASSERT_EQ(run(with(command, {"-o", "again.toml", "--json", "again.json", "--threads", threads})).exit_code, 0);
+      EXPECT_EQ(text_of("again.toml"), arm) << example << ", threads " << threads;
+      EXPECT_EQ(timeless(text_of("again.json")), json) << example << ", threads " << threads;
+    }
+  }
+}
+
+TEST_F(Identify, FindsTheSimulatedArmOfTheBallBar) {
+  take("ball-bar");
+  const Ended ended = run({"identify", "ball-bar/recording.toml", "--json", "r.json"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const Json json = Json::parse(text_of("r.json"));
+  // The noise is 2 arcsec and 3 µm: χ² within what 95 % of sound fits show.
+  EXPECT_GT(json["noise"]["chi_squared"].get<double>(), json["noise"]["chi_squared_95"][0].get<double>());
+  EXPECT_LT(json["noise"]["chi_squared"].get<double>(), json["noise"]["chi_squared_95"][1].get<double>());
+  EXPECT_TRUE(json["noise"]["given"].get<bool>());
+}
+
+TEST_F(Identify, OptionsReachTheResult) {
+  take("two-socket-bar");
+  ASSERT_EQ(run(with(bar, {"-q", "--hold", "lx,ly", "--loss", "huber", "--noise", "200 um", "--no-leave-out", "--json",
+                           "r.json"}))
+                .exit_code,
+            0);
+  const Json json = Json::parse(text_of("r.json"));
+  EXPECT_EQ(json["options"]["hold"], Json({"lx", "ly"}));
+  EXPECT_EQ(json["options"]["loss"], "huber");
+  EXPECT_EQ(json["options"]["leave_out"], false);
+  EXPECT_THAT(json["left_out"], IsEmpty());
+  EXPECT_EQ(json["noise"]["mm"], 0.2);
+  for (const Json& parameter : json["parameters"]) {
+    EXPECT_TRUE((parameter["name"] != "lx" && parameter["name"] != "ly") || parameter["state"] == "held");
+  }
+}
+
+TEST_F(Identify, SaysWhatToMeasureWhereTheScaleIsLost) {
+  take("two-socket-bar");
+  const std::string text = text_of("two-socket-bar/bar.toml");
+  write("two-socket-bar/bar.toml", text.substr(0, text.find("[[distance]]")));
+  const Ended ended = run(with(bar, {"-o", "arm.toml", "--json", "r.json"}));
+  EXPECT_EQ(ended.exit_code, 4);
+  EXPECT_THAT(ended.out, IsEmpty());
+  EXPECT_THAT(ended.err, HasSubstr("scale"));
+  EXPECT_THAT(ended.err, ContainsRegex("measure|certified|calibrated"));
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
+  EXPECT_THAT(names(), ElementsAre("two-socket-bar")) << "no result, no file";
+}
+
+TEST_F(Identify, SaysWhereThereAreTooFewReadings) {
+  take("two-socket-bar");
+  const std::string text = text_of("two-socket-bar/readings.csv");
+  std::size_t end = 0;
+  for (int line = 0; line < 6; ++line) {
+    end = text.find('\n', end) + 1;
+  }
+  write("two-socket-bar/readings.csv", text.substr(0, end));
+  const Ended ended = run(bar);
+  EXPECT_EQ(ended.exit_code, 4);
+  EXPECT_THAT(ended.out, IsEmpty());
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
+}
+
+TEST_F(Identify, WrongUsageIsTwo) {
+  take("two-socket-bar");
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{with(bar, {"--frobnicate"}),
+                                             with(bar, {"--hold", "a99"}),
+                                             with(bar, {"--free", "nonsense"}),
+                                             with(bar, {"--loss", "tukey"}),
+                                             with(bar, {"--noise", "15"}),
+                                             with(bar, {"--noise", "-1 um"}),
+                                             with(bar, {"--noise", "1 um", "--encoder-noise", "1 arcsec"}),
+                                             with(bar, {"--encoder-noise", "1 arcsec"}),
+                                             with(bar, {"--threads", "-1"}),
+                                             with(bar, {"--threads", "many"}),
+                                             with(bar, {"another.toml"}),
+                                             with(bar, {"--hold", "a1", "--free", "a1"}),
+                                             with(bar, {"-o", "two-socket-bar/arm.toml"}),
+                                             with(bar, {"--json", "two-socket-bar/../two-socket-bar/readings.csv"}),
+                                             with(bar, {"-o", "x.toml", "--json", "./x.toml"}),
+                                             {"identify"},
+                                             {"indentify", "two-socket-bar/recording.toml"},
+                                             {}}) {
+    const Ended ended = run(wrong);
+    EXPECT_EQ(ended.exit_code, 2) << fmt::format("{}", fmt::join(wrong, " "));
+    EXPECT_THAT(ended.err, Not(IsEmpty()));
+    EXPECT_THAT(ended.out, IsEmpty());
+  }
+  EXPECT_THAT(run(with(bar, {"--hold", "a99"})).err, HasSubstr("\"a99\""));
+  EXPECT_THAT(names(), ElementsAre("two-socket-bar"));
+}
+
+// Numbers of a file that no arm has end in a sentence, not in the solver's log.
+TEST_F(Identify, NumbersThatBreakDownAreToldInOneLine) {
+  take("two-socket-bar");
+  write("two-socket-bar/arm.toml", testing::replaced(text_of("two-socket-bar/arm.toml"), "d = 333", "d = 3e155"));
+  const Ended ended = run(bar);
+  EXPECT_NE(ended.exit_code, 0);
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+}
+
+TEST_F(Identify, ANameListDoesNotSwallowTheRecording) {
+  take("two-socket-bar");
+  EXPECT_EQ(run({"identify", "-q", "--hold", "lx,ly", "two-socket-bar/recording.toml"}).exit_code, 0);
+}
+
+TEST_F(Identify, BadInputIsThreeInOneLineWithItsPlace) {
+  take("two-socket-bar");
+  const auto refused = [&](const std::string& name, const std::string& from, const std::string& to) {
+    const std::string path = "two-socket-bar/" + name;
+    const std::string good = text_of(path);
+    const std::size_t at = good.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    write(path, std::string(good).replace(at, from.size(), to));
+    const Ended ended = run(with(bar, {"-o", "arm.toml", "--json", "r.json"}));
+    write(path, good);
+    EXPECT_EQ(ended.exit_code, 3) << name << ": " << to << "\n" << ended.err;
+    EXPECT_THAT(ended.out, IsEmpty());
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_THAT(names(), ElementsAre("two-socket-bar"));
+    return ended.err;
+  };
+  EXPECT_THAT(refused("recording.toml", "\"arm.toml\"", "\"none.toml\""),
+              HasSubstr("none.toml: there is no such file"));
+  EXPECT_THAT(refused("recording.toml", "\"bar.toml\"", "\"arm.toml\""), HasSubstr("arm.toml:3:10: schema is"));
+  EXPECT_THAT(refused("recording.toml", "joint = \"rad\"", "joint = \"turns\""), HasSubstr("recording.toml:6:"));
+  EXPECT_THAT(refused("recording.toml", "name =", "nam ="), HasSubstr("\"nam\" is not a key"));
+  EXPECT_THAT(refused("recording.toml", "\"Panda on a two-socket bar\"", "\"a\\u001b[2J\\nb\""),
+              Not(HasSubstr("\x1b")));
+  EXPECT_THAT(refused("arm.toml", "d = 333", "d = \"333\""), HasSubstr("arm.toml:"));
+  EXPECT_THAT(refused("arm.toml", "d = 333", "d = nan"), HasSubstr("finite"));
+  EXPECT_THAT(refused("bar.toml", "U = 0.03", "U = 0"), HasSubstr("bar.toml:"));
+  EXPECT_THAT(refused("bar.toml", "k = 2", ""), HasSubstr("`k` is missing"));
+  EXPECT_THAT(refused("readings.csv", "q7", "q8"), HasSubstr("readings.csv:1:"));
+  EXPECT_THAT(refused("readings.csv", "backcenter,0,-1.7144672064153748", "backcenter,9,-1.7144672064153748"),
+              HasSubstr("readings.csv:2: the reading names the feature \"9\""));
+  EXPECT_THAT(refused("readings.csv", "-1.5636452542649983", "inf"), HasSubstr("readings.csv:3:14"));
+  EXPECT_THAT(refused("readings.csv", "-1.5636452542649983", "-1,5636452542649983"), HasSubstr("readings.csv:3:1"));
+  EXPECT_EQ(run({"identify", "none.toml"}).exit_code, 3);
+  EXPECT_EQ(run({"identify", ""}).exit_code, 3);
+  EXPECT_EQ(run({"identify", "two-socket-bar"}).exit_code, 3) << "a folder";
+  EXPECT_EQ(run({"identify", "/dev/null"}).exit_code, 3);
+}
+
+TEST_F(Identify, LongAndMarkedUpNamesStayHarmless) {
+  take("two-socket-bar");
+  const std::string longest(5000, 'x');
+  const std::string label = "<script>alert('" + longest + "')</script> & \"\" ${HOME} %s {}";
+  std::string readings = text_of("two-socket-bar/readings.csv");
+  for (std::size_t at = 0; (at = readings.find("backleft", at)) != std::string::npos; at += label.size()) {
+    readings.replace(at, 8, "\"" + label + "\"");
+  }
+  write("two-socket-bar/readings.csv", readings);
+  const Ended ended = run(with(bar, {"--json", "r.json", "-o", "arm.toml"}));
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  std::size_t longest_line = 0;
+  for (std::size_t at = 0; at < ended.out.size();) {
+    const std::size_t end = std::min(ended.out.find('\n', at), ended.out.size());
+    longest_line = std::max(longest_line, end - at);
+    at = end + 1;
+  }
+  EXPECT_LT(longest_line, 300u);
+  const std::string text = text_of("r.json");
+  const Json json = Json::parse(text);
+  std::string unquoted = label;
+  unquoted.replace(unquoted.find("\"\""), 2, "\"");
+  EXPECT_EQ(json["after"]["placements"][1]["placement"], unquoted) << "JSON has it whole";
+  EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= 0x20 && c < 0x7f); }));
+}
+
+TEST_F(Identify, AnOutputThatCannotBeWrittenIsThreeAndLeavesNothing) {
+  take("two-socket-bar");
+  std::filesystem::create_directory(file("folder"));
+  for (const char* output :
+       {"folder", "no/such/folder/arm.toml", "two-socket-bar/bar.toml/arm.toml", "/proc/arm.toml"}) {
+    for (const char* option : {"-o", "--json"}) {
+      const Ended ended = run(with(bar, {option, output}));
+      EXPECT_EQ(ended.exit_code, 3) << option << " " << output;
+      EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    }
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(file("folder")));
+  EXPECT_THAT(names(), ElementsAre("folder", "two-socket-bar"));
+}
+
+TEST_F(Identify, AReadOnlyFolderIsThree) {
+  if (::geteuid() == 0) {
+    GTEST_SKIP() << "root may write anywhere";
+  }
+  take("two-socket-bar");
+  std::filesystem::create_directory(file("closed"));
+  std::filesystem::permissions(file("closed"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  EXPECT_EQ(run(with(bar, {"-o", "closed/arm.toml"})).exit_code, 3);
+  std::filesystem::permissions(file("closed"), std::filesystem::perms::owner_all);
+  EXPECT_TRUE(std::filesystem::is_empty(file("closed")));
+}
+
+TEST_F(Identify, AFullDiskIsThree) {
+  take("two-socket-bar");
+  for (const char* option : {"-o", "--json"}) {
+    const Ended ended = run(with(bar, {option, "/dev/full"}));
+    EXPECT_EQ(ended.exit_code, 3) << option;
+    EXPECT_THAT(ended.err, HasSubstr("/dev/full: the file cannot be written"));
+  }
+}
+
+TEST_F(Identify, LinksAndDevicesStayWhatTheyAre) {
+  take("two-socket-bar");
+  write("real.toml", "old");
+  std::filesystem::create_symlink("real.toml", file("link.toml"));
+  std::filesystem::create_symlink("/dev/null", file("nowhere.toml"));
+  ASSERT_EQ(run(with(bar, {"-q", "-o", "link.toml"})).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link.toml")));
+  EXPECT_TRUE(read_arm_file(file("real.toml")));
+  ASSERT_EQ(run(with(bar, {"-q", "-o", "nowhere.toml"})).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("nowhere.toml")));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(Identify, AFailureLeavesTheOldFilesWhole) {
+  take("two-socket-bar");
+  write("arm.toml", "old arm");
+  write("r.json", "old result");
+  write("two-socket-bar/bar.toml", testing::replaced(text_of("two-socket-bar/bar.toml"), "value = 50", "value = -50"));
+  EXPECT_EQ(run(with(bar, {"-o", "arm.toml", "--json", "r.json"})).exit_code, 3);
+  EXPECT_EQ(text_of("arm.toml"), "old arm");
+  EXPECT_EQ(text_of("r.json"), "old result");
+}
+
+// A file written in place would change under its other name too.
+TEST_F(Identify, TheOldFileIsReplacedNotWrittenOver) {
+  take("two-socket-bar");
+  for (const char* name : {"arm.toml", "r.json"}) {
+    write(name, "old");
+    std::filesystem::create_hard_link(file(name), file(std::string("kept-") + name));
+  }
+  ASSERT_EQ(run(with(bar, {"-q", "-o", "arm.toml", "--json", "r.json"})).exit_code, 0);
+  EXPECT_EQ(text_of("kept-arm.toml"), "old");
+  EXPECT_EQ(text_of("kept-r.json"), "old");
+  EXPECT_TRUE(read_arm_file(file("arm.toml")));
+  EXPECT_TRUE(Json::accept(text_of("r.json")));
+}
+
+// Killed at moments spread over the time that a run takes, most of them near its end, where it writes.
+TEST_F(Identify, AKilledRunLeavesTheOldFileOrTheNewOne) {
+  take("two-socket-bar");
+  const auto before = std::chrono::steady_clock::now();
+  ASSERT_EQ(run(with(bar, {"-q", "-o", "new.toml"})).exit_code, 0);
+  const auto whole = std::chrono::steady_clock::now() - before;
+  const std::string fresh = text_of("new.toml");
+  int killed = 0;
+  for (int i = 0; i < 40; ++i) {
+    write("arm.toml", "old");
+    const pid_t child = start(with(bar, {"-q", "-o", "arm.toml"}));
+    std::this_thread::sleep_for(whole * (i < 10 ? i * 0.08 : 0.8 + 0.01 * (i - 10)));
+    ::kill(child, SIGKILL);
+    killed += wait_for(child).signal == SIGKILL ? 1 : 0;
+    const std::string left = text_of("arm.toml");
+    EXPECT_TRUE(left == "old" || left == fresh) << left.size() << " bytes";
+  }
+  EXPECT_GT(killed, 0);
+}
+
+}  // namespace
+}  // namespace artcal

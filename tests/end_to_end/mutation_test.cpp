@@ -1,0 +1,86 @@
+// Files that were damaged at random: whatever they hold, the program ends by itself with an exit code that
+// says how, and with one line where it fails.
+#include <gmock/gmock.h>
+
+#include "core/random.h"
+#include "tests/end_to_end/program.h"
+
+namespace artcal {
+namespace {
+
+using testing::Ended;
+
+std::size_t below(RandomStream& random, std::size_t limit) { return limit == 0 ? 0 : random.bits() % limit; }
+
+// One to four damages: a flipped bit, another byte, a cut, a piece doubled, a piece lost, two lines exchanged
+// for one, a number made extreme.
+std::string damaged(std::string text, RandomStream& random) {
+  for (std::size_t n = 1 + below(random, 4); n > 0; --n) {
+    const std::size_t at = below(random, text.size());
+    const std::size_t length = 1 + below(random, std::min<std::size_t>(200, text.size() - at + 1));
+    switch (below(random, 7)) {
+      case 0: text[at] = static_cast<char>(text[at] ^ (1 << below(random, 8))); break;
+      case 1: text[at] = static_cast<char>(random.bits()); break;
+      case 2: text.resize(std::max<std::size_t>(at, 1)); break;
+      case 3: text.insert(at, text.substr(at, length)); break;
+      case 4: text.erase(at, std::min(length, text.size() - 1)); break;
+      case 5: text.insert(at, text.substr(below(random, text.size()), length)); break;
+      default: {
+        const auto digit = text.find_first_of("0123456789", at);
+        const char* const extreme[]{"1e308", "-1e308", "1e-320", "99999999999999999999", "0", "-0.0", "1e155"};
+        if (digit != std::string::npos) {
+          text.replace(digit, text.find_first_not_of("0123456789.", digit) - digit, extreme[below(random, 7)]);
+        }
+      }
+    }
+  }
+  return text;
+}
+
+class Mutation : public testing::ProgramTest {
+ protected:
+  void damage(const std::string& example, const std::string& name, int times) {
+    take(example);
+    const std::string path = example + "/" + name;
+    const std::string good = text_of(path);
+    std::array<int, 5> ends{};
+    for (int i = 0; i < times; ++i) {
+      RandomStream random(2026, path, static_cast<std::uint64_t>(i));
+      const std::string bad = damaged(good, random);
+      write(path, bad);
+      std::vector<std::string> command{"identify", example + "/recording.toml", "--json", "-", "--no-leave-out"};
+      if (i % 4 == 3) {
+        command = {"coupling", example + "/recording.toml", "--json", "-"};
+      }
+      const Ended ended = run(command);
+      if (ended.exit_code != 0 && ended.exit_code != 2 && ended.exit_code != 3 && ended.exit_code != 4) {
+        ADD_FAILURE() << path << ", mutation " << i << ": exit code " << ended.exit_code << ", signal " << ended.signal
+                      << "\n"
+                      << ended.err;
+        continue;
+      }
+      ++ends[static_cast<std::size_t>(ended.exit_code)];
+      const auto lines = std::count(ended.err.begin(), ended.err.end(), '\n');
+      EXPECT_EQ(lines, ended.exit_code == 0 ? 0 : 1) << path << ", mutation " << i << "\n" << ended.err;
+      EXPECT_LT(ended.err.size(), 1000u) << path << ", mutation " << i;
+      EXPECT_EQ(ended.err.find("internal error"), std::string::npos) << path << ", mutation " << i << "\n" << ended.err;
+    }
+    EXPECT_GT(ends[3], times / 4) << path << ": damages that do nothing test nothing";
+  }
+};
+
+constexpr int times = 200;
+
+TEST_F(Mutation, OfThePandasArm) { damage("two-socket-bar", "arm.toml", times); }
+TEST_F(Mutation, OfThePandasBar) { damage("two-socket-bar", "bar.toml", times); }
+TEST_F(Mutation, OfThePandasRecording) { damage("two-socket-bar", "recording.toml", times); }
+TEST_F(Mutation, OfThePandasReadings) { damage("two-socket-bar", "readings.csv", times); }
+TEST_F(Mutation, OfTheSimulatedArm) { damage("ball-bar", "arm.toml", times); }
+TEST_F(Mutation, OfTheBallBar) { damage("ball-bar", "bar.toml", times); }
+TEST_F(Mutation, OfTheBallBarsRecording) { damage("ball-bar", "recording.toml", times); }
+TEST_F(Mutation, OfTheBallBarsReadings) { damage("ball-bar", "readings.csv", times); }
+TEST_F(Mutation, OfThePapersArm) { damage("gao2013", "table1.toml", times); }
+TEST_F(Mutation, OfThePapersReadings) { damage("gao2013", "readings.csv", times); }
+
+}  // namespace
+}  // namespace artcal

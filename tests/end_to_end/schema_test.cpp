@@ -1,0 +1,112 @@
+// Every result against docs/result-schema.md: what is there is described, what is described is there.
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.h"
+#include "tests/support/example_recording.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The tables of the documentation: by name of the table and of the field, the type.
+using Schema = std::map<std::string, std::map<std::string, std::string>>;
+
+Schema read_schema() {
+  std::istringstream lines(testing::read_all(std::string(ARTCAL_SOURCE_DIR) + "/docs/result-schema.md"));
+  const std::regex row("\\| `(\\w+)` \\| ([^|]+) \\|.*");
+  Schema schema;
+  std::string table;
+  std::smatch match;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("## ")) {
+      table = line.substr(3);
+    } else if (std::regex_match(line, match, row)) {
+      schema[table][match[1]] = match[2];
+    }
+  }
+  return schema;
+}
+
+class ResultSchema : public testing::ProgramTest {
+ protected:
+  // Sentences about what differs from the type; `path` is where.
+  void compare(const Json& json, const std::string& type, const std::string& path) {
+    if (const auto bar = type.find(" or "); bar != std::string::npos) {
+      compare(json, json.is_null() ? "null" : type.substr(0, bar), path);
+    } else if (type == "text" || type == "number" || type == "integer" || type == "truth" || type == "null") {
+      const bool fits = type == "text"     ? json.is_string()
+                        : type == "number" ? json.is_number()
+                        : type == "truth"  ? json.is_boolean()
+                        : type == "null"   ? json.is_null()
+                                           : json.is_number_integer();
+      EXPECT_TRUE(fits) << path << " is no " << type << ": " << json.dump();
+    } else if (type.front() == '[') {
+      ASSERT_TRUE(json.is_array()) << path;
+      for (const Json& element : json) {
+        compare(element, type.substr(1, type.size() - 2), path + "[]");
+      }
+      seen_.insert(json.empty() ? "" : path);
+    } else if (type.front() == '{') {
+      ASSERT_TRUE(json.is_object()) << path;
+      for (const Json& element : json) {
+        compare(element, type.substr(1, type.size() - 2), path + "{}");
+      }
+    } else {
+      ASSERT_TRUE(schema_.contains(type)) << path << ": no table \"" << type << "\"";
+      compare_object(json, schema_.at(type), path);
+    }
+  }
+
+  void compare_object(const Json& json, const std::map<std::string, std::string>& table, const std::string& path) {
+    ASSERT_TRUE(json.is_object()) << path;
+    for (const auto& [key, value] : json.items()) {
+      EXPECT_TRUE(table.contains(key)) << path << "." << key << " is not described";
+    }
+    for (const auto& [key, described] : table) {
+      const auto comma = described.find(", optional");
+      if (json.contains(key)) {
+        compare(json[key], described.substr(0, comma), path + "." + key);
+      } else {
+        EXPECT_NE(comma, std::string::npos) << path << "." << key << " is described, but absent";
+      }
+    }
+  }
+
+  void check(const std::vector<std::string>& command, const std::string& table) {
+    const testing::Ended ended = run(command);
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    compare(Json::parse(ended.out), table, table);
+  }
+
+  const Schema schema_ = read_schema();
+  std::set<std::string> seen_;  // lists that held something
+};
+
+TEST_F(ResultSchema, OfIdentifications) {
+  take("two-socket-bar");
+  take("ball-bar");
+  check({"identify", "two-socket-bar/recording.toml", "--json", "-"}, "identification");
+  check({"identify", "two-socket-bar/recording.toml", "--json", "-", "--hold", "lx", "--no-leave-out"},
+        "identification");
+  for (const char* list : {"inputs", "parameters", "left_out", "left_out[].lengths", "outliers", "coupling.lost",
+                           "coupling.weak", "covariance.matrix", "options.hold", "after.lengths"}) {
+    EXPECT_TRUE(seen_.contains(std::string("identification.") + list)) << list << " was always empty";
+  }
+  check({"identify", "ball-bar/recording.toml", "--json", "-"}, "identification");
+}
+
+TEST_F(ResultSchema, OfCouplings) {
+  take("two-socket-bar");
+  check({"coupling", "two-socket-bar/recording.toml", "--json", "-", "--free", "d7"}, "coupling_result");
+  check({"coupling", "two-socket-bar/arm.toml", "--json", "-", "--kind", "point", "--readings", "60"},
+        "coupling_result");
+}
+
+}  // namespace
+}  // namespace artcal
