@@ -29,6 +29,27 @@ ARTCAL_INLINE void offset(const SphereView& v, std::size_t i, double& x, double&
   z = (p[2] - v.origin[2]) - v.centre[2];
 }
 
+// Eight doubles, wherever they are stored; compilers know such vectors on every machine and split them up
+// where its registers are shorter.
+using Eight = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+// The same for eight points, which are stored as three vectors of mixed coordinates. Left to themselves
+// compilers take these apart one number at a time, and that is then what the pass waits for.
+ARTCAL_INLINE void offsets(const SphereView& v, std::size_t i, double (&x)[lanes], double (&y)[lanes],
+                           double (&z)[lanes]) {
+  const auto* stored = reinterpret_cast<const Eight*>(v.xyz + 3 * i);
+  const Eight a = stored[0], b = stored[1], c = stored[2];
+  const Eight xs = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
+  const Eight ys = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
+  const Eight zs = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
+  auto& to_x = *reinterpret_cast<Eight*>(x);
+  auto& to_y = *reinterpret_cast<Eight*>(y);
+  auto& to_z = *reinterpret_cast<Eight*>(z);
+  to_x = (__builtin_shufflevector(xs, c, 0, 1, 2, 3, 4, 5, 10, 13) - v.origin[0]) - v.centre[0];
+  to_y = (__builtin_shufflevector(ys, c, 0, 1, 2, 3, 4, 8, 11, 14) - v.origin[1]) - v.centre[1];
+  to_z = (__builtin_shufflevector(zs, c, 0, 1, 2, 3, 4, 9, 12, 15) - v.origin[2]) - v.centre[2];
+}
+
 // `Count` sums in eight lanes each. Whole groups of eight have a constant trip count, which compilers turn
 // into vectors, and their sums stay in registers only if nothing else touches them: the rest, fewer than
 // eight points, has its own. `term(x, y, z, k)` gives the sums' terms for one point.
@@ -38,9 +59,7 @@ ARTCAL_INLINE void sum_over(const SphereView& v, double (&sums)[Count], Term ter
   std::size_t i = 0;
   for (; i + lanes <= v.count; i += lanes) {
     double x[lanes], y[lanes], z[lanes];
-    for (std::size_t j = 0; j < lanes; ++j) {
-      offset(v, i + j, x[j], y[j], z[j]);
-    }
+    offsets(v, i, x, y, z);
     for (std::size_t j = 0; j < lanes; ++j) {
       double terms[Count];
       term(i + j, x[j], y[j], z[j], terms);
@@ -68,9 +87,7 @@ ARTCAL_INLINE void distances(const SphereView& v, std::size_t from, std::size_t 
   std::size_t i = from;
   for (; i + lanes <= to; i += lanes) {
     double x[lanes], y[lanes], z[lanes];
-    for (std::size_t j = 0; j < lanes; ++j) {
-      offset(v, i + j, x[j], y[j], z[j]);
-    }
+    offsets(v, i, x, y, z);
     for (std::size_t j = 0; j < lanes; ++j) {
       out[i + j] = std::sqrt(x[j] * x[j] + y[j] * y[j] + z[j] * z[j]) - v.radius;
     }
