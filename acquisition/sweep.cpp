@@ -26,7 +26,8 @@ void put(double* derivative, int column, const Eigen::Vector3d& value) {
   }
 }
 
-void turn(Eigen::Vector3d& first, Eigen::Vector3d& second, double sine, double cosine) {
+// In the middle of the hottest loop there is; a call would cost as much as the turn.
+[[gnu::always_inline]] inline void turn(Eigen::Vector3d& first, Eigen::Vector3d& second, double sine, double cosine) {
   const Eigen::Vector3d turned = cosine * first + sine * second;
   second = cosine * second - sine * first;
   first = turned;

@@ -45,7 +45,10 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   if (!selection) {
     return tl::unexpected(selection.error());
   }
-  const auto start = arm_with_fitted_tips(recording, constraints, nominal, options.hold);
+  const auto start =
+      arm_with_fitted_tips(recording, constraints, nominal, options.hold).and_then([&](const Arm& with_tips) {
+        return arm_near_the_balls(recording, constraints, with_tips, *selection);
+      });
   if (!start) {
     return tl::unexpected(start.error());
   }

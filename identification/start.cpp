@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "identification/arm_fit.h"
+#include "identification/coupling.h"
+#include "identification/evaluation.h"
 #include "identification/linearisation.h"
 #include "identification/problem.h"
 #include "identification/settle.h"
@@ -23,6 +26,33 @@ std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>
     }
   }
   return tips;
+}
+
+bool is_ball(const FeatureConstraint& feature, const Constraints& constraints) {
+  return constraints.artefacts[feature.artefact].features[feature.feature].kind == FeatureKind::Sphere;
+}
+
+Constraints balls_as_points(Constraints constraints) {
+  for (auto& feature : constraints.features) {
+    if (is_ball(feature, constraints)) {
+      feature.demand = Demand::Coincide;
+      feature.distances.clear();
+    }
+  }
+  return constraints;
+}
+
+// Contact points all over a ball have an rms distance of one radius from their mean, of a part of it less.
+constexpr double balls_still_seen = 1.1;
+
+bool sees_the_balls(const Constraints& constraints, const Constraints& points, const Evaluation& as_points) {
+  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
+    if (is_ball(constraints.features[f], points) &&
+        as_points.features[f].rms > balls_still_seen * constraints.features[f].distances.front()) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
@@ -47,6 +77,28 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
   const Solution solution =
       solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns), {}, &at_nominal);
   return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
+}
+
+Expected<Arm> arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
+                                 const Selection& selection) {
+  const Constraints points = balls_as_points(constraints);
+  const auto as_points = evaluate(recording, points, start);
+  if (!as_points || sees_the_balls(constraints, points, *as_points)) {
+    return start;
+  }
+  const auto coupling = analyse_coupling(recording, points, start, coupling_options(selection));
+  if (!coupling) {
+    return tl::unexpected(coupling.error());
+  }
+  const auto free = free_parameters(selection, *coupling);
+  if (!free) {
+    return tl::unexpected(free.error());
+  }
+  Noise as_large_as_the_balls;
+  as_large_as_the_balls.reading = as_points->overall.rms;
+  return fit_arm(recording, points, start, *free, as_large_as_the_balls, {}).map([](const ArmFit& fit) {
+    return fit.arm;
+  });
 }
 
 }  // namespace artcal

@@ -16,9 +16,7 @@ constexpr Eigen::Index block_rows = 96;
 }  // namespace
 
 TriangularFactor::TriangularFactor(int columns)
-    : triangle_(Eigen::MatrixXd::Zero(columns, columns)),
-      waiting_(Eigen::MatrixXd::Zero(block_rows, columns)),
-      weights_(columns) {}
+    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(block_rows, columns), weights_(columns) {}
 
 void TriangularFactor::add(const double* row_major, int rows) {
   using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
@@ -43,8 +41,9 @@ void TriangularFactor::add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
 // column's own row only (Golub, Van Loan 2013, Algorithm 5.1.1 with the vector's first element 1).
 void TriangularFactor::fold() {
   const Eigen::Index columns = triangle_.cols();
+  auto rows = waiting_.topRows(filled_);
   for (Eigen::Index k = 0; k < columns; ++k) {
-    auto v = waiting_.col(k);
+    auto v = rows.col(k);
     const double below = v.squaredNorm();
     if (below == 0.0) {
       continue;
@@ -58,12 +57,11 @@ void TriangularFactor::fold() {
     const Eigen::Index right = columns - k - 1;
     auto row = triangle_.row(k).tail(right);
     auto w = weights_.head(right);
-    w.noalias() = waiting_.rightCols(right).transpose() * v;
+    w.noalias() = rows.rightCols(right).transpose() * v;
     w = twice * (w + row.transpose());
     row -= w.transpose();
-    waiting_.rightCols(right).noalias() -= v * w.transpose();
+    rows.rightCols(right).noalias() -= v * w.transpose();
   }
-  waiting_.setZero();
   filled_ = 0;
 }
 

@@ -23,7 +23,7 @@ class TriangularFactor {
   void fold();
 
   Eigen::MatrixXd triangle_;
-  Eigen::MatrixXd waiting_;  // rows not yet folded; below filled_ they are zero
+  Eigen::MatrixXd waiting_;  // its first filled_ rows are not yet folded
   Eigen::VectorXd weights_;  // scratch of fold()
   Eigen::Index filled_ = 0;
 };

@@ -77,6 +77,68 @@ INSTANTIATE_TEST_SUITE_P(Kinds, PlantedTruth,
                          ::testing::Values(ReadingKind::BaseCoordinates, ReadingKind::FrameCoordinates,
                                            ReadingKind::Distance, ReadingKind::Sphere, ReadingKind::Length));
 
+TEST(Identify, ComesBackFromFarAway) {
+  VirtualProbing probing;
+  probing.kind = ReadingKind::Sphere;
+  const Arm nominal = test::gao_arm();
+  Arm truth = slightly_wrong(nominal, 11, 2.0, 0.02);
+  truth.joints.front().d = nominal.joints.front().d;
+  truth.joints.front().theta = nominal.joints.front().theta;
+  truth.joints.back().a = truth.joints.back().d = 0.0;
+  VirtualRecording made = probe_virtually(truth, probing);
+  made.recording.arm = nominal;
+  IdentifyOptions options;
+  options.noise.reading = 0.01;
+  options.leave_out = false;
+  const auto bound = test::bind(std::move(made.recording), std::move(made.artefacts));
+  expect_truth(test::identified(bound, options), truth, 1e-6, 1e-9);
+}
+
+// Appends the readings of another recording of the same arm, on an artefact of another name.
+void append(Recording& all, const Recording& more, const std::string& artefact) {
+  const Eigen::Index before = all.joints.cols();
+  all.joints.conservativeResize(Eigen::NoChange, before + more.joints.cols());
+  all.joints.rightCols(more.joints.cols()) = more.joints;
+  for (Reading reading : more.readings) {
+    reading.artefact = all.artefacts.index_of(artefact);
+    reading.placement = all.placements.index_of(more.placements.name(reading.placement));
+    reading.feature = all.features.index_of(more.features.name(reading.feature));
+    all.readings.push_back(reading);
+  }
+}
+
+// Seats alone lose the scale, balls tell it poorly, two lengths to an anchor add to it: all in one recording.
+TEST(Identify, SeveralArtefactsInOneRecordingAddUp) {
+  const Arm nominal = test::gao_arm();
+  Arm truth = slightly_wrong(nominal, 12);
+  truth.joints.front().d = nominal.joints.front().d;
+  truth.joints.front().theta = nominal.joints.front().theta;
+  truth.joints.back().a = truth.joints.back().d = 0.0;
+  Recording all;
+  all.arm = nominal;
+  all.files = {"virtual"};
+  all.joints.resize(6, 0);
+  std::vector<Artefact> artefacts;
+  for (const auto& [kind, name] :
+       {std::pair{ReadingKind::Point, "seats"}, {ReadingKind::Sphere, "balls"}, {ReadingKind::Length, "wire"}}) {
+    VirtualProbing probing;
+    probing.kind = kind;
+    probing.readings = 60;
+    VirtualRecording made = probe_virtually(truth, probing);
+    append(all, made.recording, name);
+    artefacts.push_back(made.artefacts.front());
+    artefacts.back().name = name;
+  }
+  IdentifyOptions options;
+  options.noise.reading = 0.01;
+  const Identification result = test::identified(test::bind(std::move(all), std::move(artefacts)), options);
+  EXPECT_EQ(result.coupling.rank, 21);
+  EXPECT_EQ(result.coupling.scale, ScaleState::Determined);
+  EXPECT_EQ(result.after.artefacts.size(), 3u);
+  EXPECT_EQ(result.left_out.size(), 3u);
+  expect_truth(result, truth, 1e-7, 1e-10);
+}
+
 TEST(Identify, NoCalibratedLengthIsRefused) {
   VirtualProbing probing;
   probing.kind = ReadingKind::Point;
