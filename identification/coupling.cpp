@@ -148,6 +148,9 @@ std::vector<std::string> default_hold_order(const Arm& arm) {
 
 Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints& constraints, const Arm& arm,
                                    const CouplingOptions& options) {
+  if (constraints.features.empty()) {
+    return no_solution("there are no readings on any feature, and so nothing to tell an arm by");
+  }
   CouplingAnalysis analysis;
   Coupling& coupling = analysis.coupling;
   for (const auto& parameter : parameters_of(arm)) {

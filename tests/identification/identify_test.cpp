@@ -166,6 +166,14 @@ TEST(Identify, TooFewReadingsAreRefused) {
   EXPECT_THAT(result.error().message, HasSubstr("take more readings"));
 }
 
+TEST(Identify, NoReadingsAreRefused) {
+  Recording recording;
+  recording.arm = test::gao_arm();
+  const auto result = identify(recording, {});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
+}
+
 TEST(Identify, HoldAndFreeTradeTheMembersOfAPair) {
   const Planted planted = plant({});
   const auto states = [&](std::vector<std::string> hold, std::vector<std::string> free) {

@@ -3,6 +3,7 @@
 #include <artcal/acquisition/recording_file.h>
 #include <artcal/acquisition/sweep.h>
 #include <artcal/core/random.h>
+#include <artcal/identification/identify.h>
 
 #include <array>
 #include <cmath>
@@ -20,6 +21,14 @@ int main() {
   artcal::joint_sines(std::array{0.0, std::acos(0.0)}, sines);
   const Eigen::Vector3d tip_in_base = sweep.tip_in_base(sines);
   std::printf("%.3f %.3f %.3f\n", tip_in_base.x(), tip_in_base.y(), tip_in_base.z());
+
+  // An identification without a reading: refused as a value, with Ceres linked behind it.
+  artcal::Recording recording;
+  recording.arm = arm;
+  const auto nothing = artcal::identify(recording, {});
+  if (nothing) {
+    return 2;
+  }
 
   // Files, and with them every library behind the headers.
   const auto missing = artcal::read_recording("no-such-recording.toml");
