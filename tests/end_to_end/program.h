@@ -1,6 +1,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,8 +55,9 @@ class ProgramTest : public ::testing::Test {
     }
   }
 
-  /// Starts the program; its output goes to files beside the folder it runs in.
-  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments) const {
+  /// Starts the program; its output goes to files beside the folder it runs in. No file that it writes may
+  /// become larger than `most_bytes`, as if the disk were full; 0 is no limit.
+  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, rlim_t most_bytes = 0) const {
     std::vector<std::string> all = arguments;
     all.insert(all.begin(), ARTCAL_PROGRAM);
     std::vector<char*> pointers;
@@ -68,6 +70,11 @@ class ProgramTest : public ::testing::Test {
     if (child == 0) {
       if (::chdir(work.c_str()) != 0 || !redirect(out, STDOUT_FILENO) || !redirect(err, STDERR_FILENO)) {
         ::_exit(126);
+      }
+      if (most_bytes > 0) {
+        const rlimit limit{most_bytes, most_bytes};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        ::signal(SIGXFSZ, SIG_IGN);
       }
       ::execv(pointers[0], pointers.data());
       ::_exit(127);
