@@ -33,7 +33,7 @@ Expected<void> check(const Points& points, const Eigen::VectorXd& weights) {
   return {};
 }
 
-// Copies what has a weight; weights are scaled to a largest of one, so that their unit does not matter.
+// Copies what has a weight.
 void take(const Points& points, const Eigen::VectorXd& weights, Cloud& cloud) {
   if (weights.size() == 0) {
     cloud.points = points;
