@@ -148,13 +148,9 @@ Run set_up_coupling(CLI::App& parser) {
       ->check(CLI::Range(1, 100'000))
       ->needs(kind);
   parser.add_option("--seed", request->probing.seed, "of the random postures")->needs(kind);
-  parser.add_option("--hold", request->hold, "parameters taken as known")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAMES");
+  parser.add_option("--hold", request->hold, "parameters taken as known")->delimiter(',')->type_name("NAMES");
   parser.add_option("--free", request->free, "parameters that are to be free where there is a choice")
       ->delimiter(',')
-      ->allow_extra_args(false)
       ->type_name("NAMES");
   parser
       .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")

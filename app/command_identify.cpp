@@ -136,11 +136,9 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
   parser.add_option("--hold", request->hold, "parameters to keep at their nominal value, such as l,a1")
       ->delimiter(',')
-      ->allow_extra_args(false)  // else it takes the recording for a name
       ->type_name("NAMES");
   parser.add_option("--free", request->free, "parameters to identify although they are held by default, such as a6")
       ->delimiter(',')
-      ->allow_extra_args(false)
       ->type_name("NAMES");
   parser.add_option("--loss", request->loss, "how readings far off count")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}));
