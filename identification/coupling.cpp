@@ -173,6 +173,11 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Weights weights = first_weights(system, arm, *unknowns, options.noise);
   Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
   const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
+  if (!triangle.allFinite()) {
+    return no_solution(
+        "the numbers overflow: a length or an angle in the arm's or the artefact's file is out of all "
+        "proportion");
+  }
   const Svd decomposition = svd(triangle);
   coupling.singular_values = decomposition.values;
   coupling.rank =

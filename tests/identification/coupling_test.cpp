@@ -164,6 +164,16 @@ TEST(Coupling, TheOtherMemberOfAPairIsHeldOnRequest) {
   expect_equation(coupling, "theta6", {{"theta6", 1.0}, {"a6", -tip}});
 }
 
+TEST(Coupling, NumbersOutOfAllProportionAreCalledSo) {
+  const VirtualRecording made = probe_virtually(test::gao_arm(), {});
+  const auto constraints = build_constraints(made.recording, made.artefacts);
+  Arm arm = test::gao_arm();
+  arm.joints[2].d = 3e200;
+  const auto coupling = analyse_coupling(made.recording, *constraints, arm);
+  ASSERT_FALSE(coupling);
+  EXPECT_THAT(coupling.error().message, ::testing::HasSubstr("out of all proportion"));
+}
+
 TEST(Coupling, InWords) {
   const Coupling point = analyse(ReadingKind::Point);
   std::vector<std::string> sentences;
