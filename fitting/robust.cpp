@@ -100,6 +100,17 @@ std::optional<Candidate<F>> best_subset(const Points& points, const FitOptions& 
   return best;
 }
 
+// The limit in standard deviations of a noise that the points themselves told: Student's quantile in place of
+// the normal one (Cornish-Fisher, first term), and for a point that is left out the doubt of the feature.
+// Without it a few points lost by bad luck make the noise smaller and never come back.
+double fair_limit(double limit, const FitOptions& options, int degrees_of_freedom, int parameters) {
+  if (options.noise) {
+    return limit;
+  }
+  const double freedom = std::max(1, degrees_of_freedom);
+  return limit * (1.0 + (limit * limit + 1.0) / (4.0 * freedom)) * std::sqrt(1.0 + parameters / freedom);
+}
+
 template <typename F>
 Eigen::VectorXd weights_within(const F& feature, const Points& points, const FitOptions& options, double limit) {
   Eigen::VectorXd weights =
@@ -165,8 +176,8 @@ Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& opt
       return tl::unexpected(fitted.error());
     }
     noise = fitted->noise.value_or(noise);
-    const Eigen::VectorXd next =
-        weights_within(fitted->feature, points, options, robust.limit * std::max(noise, floor));
+    const double limit = fair_limit(robust.limit, options, fitted->degrees_of_freedom, F::parameter_count);
+    const Eigen::VectorXd next = weights_within(fitted->feature, points, options, limit * std::max(noise, floor));
     const bool stands = next == kept.weights;
     kept.weights = next;
     if (stands) {

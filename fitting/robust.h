@@ -8,7 +8,8 @@
 namespace artcal {
 
 struct RobustOptions {
-  /// A point farther from the feature than this many standard deviations of the noise is an outlier.
+  /// A point farther from the feature than this many standard deviations of the noise is an outlier; more of
+  /// them where few points tell the noise (Student), so that the chance of losing a good one stays the same.
   double limit = 4.0;
   /// Largest share of the points that may be outliers; in (0, 0.5].
   double share = 0.5;

@@ -98,6 +98,19 @@ TEST(ExtremeFits, NoNeighbourIsBetter) {
   }
 }
 
+TEST(ExtremeFits, OfManyPointsTooOffThePlaceWhereTheyStarted) {
+  // Most points on one side: the least-squares centre is far from the zone's, and so are its extreme points.
+  for (std::uint64_t i = 0; i < 5; ++i) {
+    Eigen::Matrix3Xd points = Shape<Circle>::points(2000, 0.02, i);
+    for (auto&& p : points.colwise()) {
+      const double across = (p - Shape<Circle>::truth().centre).dot(a_frame().col(0)) / Shape<Circle>::truth().radius;
+      p += 0.3 * across * across * across * a_frame().col(0);
+    }
+    expect_no_better_neighbour<Circle>(points, Criterion::MinimumZone);
+    expect_no_better_neighbour<Circle>(points, Criterion::MaximumInscribed);
+  }
+}
+
 TEST(MinimumZone, AFourLobedCircleHasTheFormItWasMadeWith) {
   Eigen::Matrix3Xd points(3, 64);
   for (int i = 0; i < 64; ++i) {
