@@ -89,6 +89,45 @@ TEST(AxialFit, NoStartBeatsTheAnswer) {
   }
 }
 
+// A patch of any size, arc, opening and noise; the truth's own cost is what a fit has to stay below.
+TEST(AxialFit, RandomPatchesEndAtLeastAsDeepAsTheTruth) {
+  int refused = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    RandomStream random(19, "patches", i);
+    const double radius = std::pow(10.0, random.uniform(-0.5, 4.0));
+    const double arc = std::min(2.0 * pi, std::pow(10.0, random.uniform(-1.3, 0.8)));
+    const double half_angle = i % 2 == 0 ? 0.0 : random.uniform(0.01, 1.4);
+    const double length =
+        std::min(radius * std::pow(10.0, random.uniform(-1.5, 1.0)), 1.6 * radius / std::tan(half_angle));
+    const double noise =
+        radius * (1.0 - std::cos(0.5 * std::min(arc, pi))) * std::pow(10.0, random.uniform(-6.0, -2.0));
+    const int count = 9 + static_cast<int>(random.uniform(0.0, 100.0));
+    Eigen::Matrix3Xd points(3, count);
+    for (auto&& p : points.colwise()) {
+      const double height = length * random.uniform(-0.5, 0.5);
+      p = around({12.0, -7.0, 30.0}, radius + height * std::tan(half_angle), arc * random.uniform(-0.5, 0.5), height) +
+          noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    }
+    const auto check = [&](const auto& fitted, const auto& truth) {
+      refused += fitted ? 0 : 1;
+      double at_truth = 0.0;
+      for (const auto& p : points.colwise()) {
+        at_truth += std::pow(signed_distance(truth, p), 2);
+      }
+      if (fitted) {
+        EXPECT_EQ(fitted->status, FitStatus::Converged) << i;
+        EXPECT_LT(fitted->residuals.squaredNorm(), 1.000001 * at_truth + 1e-20 * radius * radius) << i;
+      }
+    };
+    if (half_angle == 0.0) {
+      check(fit<Cylinder>(points), Cylinder{{12.0, -7.0, 30.0}, a_direction, radius});
+    } else {
+      check(fit<Cone>(points), Cone{{12.0, -7.0, 30.0}, a_direction, radius, half_angle});
+    }
+  }
+  EXPECT_LT(refused, 20);  // short cones of little arc, whose opening the noise hides
+}
+
 TEST(AxialFit, DegenerateSetsAreNamed) {
   // One circle; one line; a plane; two parallel lines leave the axis, the radius or both free.
   EXPECT_EQ(fit<Cylinder>(Shape<Circle>::points(20, 0.0)).error().code, ErrorCode::NoSolution);

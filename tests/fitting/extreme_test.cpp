@@ -98,17 +98,25 @@ TEST(ExtremeFits, NoNeighbourIsBetter) {
   }
 }
 
-TEST(ExtremeFits, OfManyPointsTooOffThePlaceWhereTheyStarted) {
-  // Most points on one side: the least-squares centre is far from the zone's, and so are its extreme points.
-  for (std::uint64_t i = 0; i < 5; ++i) {
-    Eigen::Matrix3Xd points = Shape<Circle>::points(2000, 0.02, i);
-    for (auto&& p : points.colwise()) {
-      const double across = (p - Shape<Circle>::truth().centre).dot(a_frame().col(0)) / Shape<Circle>::truth().radius;
-      p += 0.3 * across * across * across * a_frame().col(0);
-    }
-    expect_no_better_neighbour<Circle>(points, Criterion::MinimumZone);
-    expect_no_better_neighbour<Circle>(points, Criterion::MaximumInscribed);
+// Four lobes of 10 µm, sampled densely on one side: the least-squares centre is off, and what it sees as
+// extreme all lies in one lobe.
+Eigen::Matrix3Xd crowded_lobes() {
+  constexpr int count = 2000;
+  Eigen::Matrix3Xd points(3, count + 8);
+  for (int i = 0; i < count + 8; ++i) {
+    const double even = 2.0 * pi * i / count;
+    const double angle = i < count ? even + 0.95 * std::sin(even) : 0.25 * pi * (i - count);
+    points.col(i) = around({1.0, 2.0, 3.0}, 20.0 + 0.01 * std::cos(4.0 * angle), angle, 0.0);
   }
+  return points;
+}
+
+TEST(ExtremeFits, PointsThatTheFirstLookMissesAreFound) {
+  const auto zone = fit<Circle>(crowded_lobes(), by(Criterion::MinimumZone));
+  EXPECT_NEAR(zone->form, 0.02, 1e-12);
+  EXPECT_LT((zone->feature.centre - Eigen::Vector3d(1.0, 2.0, 3.0)).norm(), 1e-10);
+  EXPECT_NEAR(fit<Circle>(crowded_lobes(), by(Criterion::MaximumInscribed))->feature.radius, 19.99, 1e-12);
+  EXPECT_NEAR(fit<Circle>(crowded_lobes(), by(Criterion::MinimumCircumscribed))->feature.radius, 20.01, 1e-12);
 }
 
 TEST(MinimumZone, AFourLobedCircleHasTheFormItWasMadeWith) {
