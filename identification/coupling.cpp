@@ -13,6 +13,10 @@
 namespace artcal {
 namespace {
 
+// No arm reaches less or more, mm; one in metres that says millimetres does.
+constexpr double shortest_arm = 10.0;
+constexpr double longest_arm = 1e5;
+
 // Below this, relative to the largest coefficient and in physical units, a parameter takes no part.
 constexpr double no_part = 1e-7;
 
@@ -151,6 +155,12 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   if (constraints.features.empty()) {
     return no_solution("there are no readings on any feature, and so nothing to tell an arm by");
   }
+  if (const double length = reach(arm); !(length > shortest_arm && length < longest_arm)) {
+    return bad_input(
+        fmt::format("the arm \"{}\" would reach {:.3g} mm, expected {} mm to {} mm; is a unit of its file "
+                    "wrong?",
+                    arm.name, length, shortest_arm, longest_arm));
+  }
   CouplingAnalysis analysis;
   Coupling& coupling = analysis.coupling;
   for (const auto& parameter : parameters_of(arm)) {
@@ -173,11 +183,6 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Weights weights = first_weights(system, arm, *unknowns, options.noise);
   Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
   const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
-  if (!triangle.allFinite()) {
-    return no_solution(
-        "the numbers overflow: a length or an angle in the arm's or the artefact's file is out of all "
-        "proportion");
-  }
   const Svd decomposition = svd(triangle);
   coupling.singular_values = decomposition.values;
   coupling.rank =

@@ -164,14 +164,18 @@ TEST(Coupling, TheOtherMemberOfAPairIsHeldOnRequest) {
   expect_equation(coupling, "theta6", {{"theta6", 1.0}, {"a6", -tip}});
 }
 
-TEST(Coupling, NumbersOutOfAllProportionAreCalledSo) {
+TEST(Coupling, AnArmOutOfAllProportionHasAWrongUnit) {
   const VirtualRecording made = probe_virtually(test::gao_arm(), {});
   const auto constraints = build_constraints(made.recording, made.artefacts);
-  Arm arm = test::gao_arm();
-  arm.joints[2].d = 3e200;
-  const auto coupling = analyse_coupling(made.recording, *constraints, arm);
-  ASSERT_FALSE(coupling);
-  EXPECT_THAT(coupling.error().message, ::testing::HasSubstr("out of all proportion"));
+  for (const double factor : {1e-3, 1e3, 1e200}) {  // metres taken for mm, mm for metres, nonsense
+    Arm arm = test::gao_arm();
+    for (auto& joint : arm.joints) joint.d *= factor;
+    arm.probes.front().tip_in_last *= factor;
+    const auto coupling = analyse_coupling(made.recording, *constraints, arm);
+    ASSERT_FALSE(coupling) << factor;
+    EXPECT_EQ(coupling.error().code, ErrorCode::BadInput);
+    EXPECT_THAT(coupling.error().message, ::testing::HasSubstr("is a unit of its file wrong?"));
+  }
 }
 
 TEST(Coupling, InWords) {
