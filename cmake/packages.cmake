@@ -26,7 +26,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Static libraries, headers and CMake
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libartcal-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    libeigen3-dev libceres-dev libexpected-dev libfmt-dev libboost-dev libssl-dev libtbb-dev libtomlplusplus-dev
+    libeigen3-dev libceres-dev libexpected-dev libfmt-dev libboost-dev libssl-dev libtomlplusplus-dev
     libcgal-dev)
 list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 
