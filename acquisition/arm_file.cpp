@@ -169,17 +169,13 @@ std::string identification_text(const ArmIdentification& known) {
 }  // namespace
 
 Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
-  const auto file = read_text_file(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  auto document = TomlDocument::parse(*file, schema);
+  auto document = TomlDocument::read(path, schema);
   if (!document) {
     return tl::unexpected(document.error());
   }
   TomlTable& root = document->root();
   ArmFile result;
-  result.input = {path.string(), file->sha256};
+  result.input = {path.string(), document->sha256()};
   Arm& arm = result.arm;
   arm.name = root.name_or("name", at_most(80, path.stem().string()));
   arm.convention = read_convention(root);

@@ -63,18 +63,14 @@ void check_temperature_unit(TomlTable& units) {
 }  // namespace
 
 Expected<Recording> read_recording(const std::filesystem::path& path) {
-  const auto file = read_text_file(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  auto document = TomlDocument::parse(*file, schema);
+  auto document = TomlDocument::read(path, schema);
   if (!document) {
     return tl::unexpected(document.error());
   }
   TomlTable& root = document->root();
   const std::filesystem::path folder = path.parent_path();
   Recording recording;
-  recording.inputs.push_back({path.string(), file->sha256});
+  recording.inputs.push_back({path.string(), document->sha256()});
   recording.name = root.name_or("name", at_most(80, path.stem().string()));
   const std::string arm_path = root.text("arm");
   for (const auto& name : root.texts("artefacts")) {

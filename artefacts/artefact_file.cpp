@@ -160,15 +160,11 @@ Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
 }  // namespace
 
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
-  const auto file = read_text_file(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  auto document = TomlDocument::parse(*file, schema);
+  auto document = TomlDocument::read(path, schema);
   if (!document) {
     return tl::unexpected(document.error());
   }
-  ArtefactFile result{read_artefact(document->root(), path), {path.string(), file->sha256}};
+  ArtefactFile result{read_artefact(document->root(), path), {path.string(), document->sha256()}};
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }

@@ -273,7 +273,7 @@ Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_vie
                      position(shared->path, error.source()));
   }
   const void* table = &shared->document;
-  TomlDocument document{TomlTable{std::move(shared), table, ""}};
+  TomlDocument document{TomlTable{std::move(shared), table, ""}, file.sha256};
   TomlTable& root = document.root();
   if (!root.has("schema")) {
     return bad_input(fmt::format("the file does not say what it is; write schema = \"{}\" at its top", schema),
@@ -284,6 +284,10 @@ Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_vie
     return tl::unexpected(*root.shared_->first_error);
   }
   return document;
+}
+
+Expected<TomlDocument> TomlDocument::read(const std::filesystem::path& path, std::string_view schema) {
+  return read_text_file(path).and_then([&](const TextFile& file) { return parse(file, schema); });
 }
 
 Expected<void> TomlDocument::finish() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,15 +58,20 @@ class TomlDocument {
   /// REQUIRES: `file` holds UTF-8 text. A syntax error names line and column. If the document has a key
   /// `schema`, it must equal `schema`; a missing one is an error that says what to write.
   static Expected<TomlDocument> parse(const TextFile& file, std::string_view schema);
+  /// Reads the file and parses it; the errors are read_text_file()'s and parse()'s.
+  static Expected<TomlDocument> read(const std::filesystem::path& path, std::string_view schema);
 
   TomlTable& root() { return root_; }
+  /// Of the file that was read.
+  [[nodiscard]] const std::string& sha256() const { return sha256_; }
 
   /// The first error noted, if any; otherwise the first key nobody asked for.
   Expected<void> finish();
 
  private:
-  explicit TomlDocument(TomlTable root) : root_(std::move(root)) {}
+  TomlDocument(TomlTable root, std::string sha256) : root_(std::move(root)), sha256_(std::move(sha256)) {}
   TomlTable root_;
+  std::string sha256_;
 };
 
 /// The `schema` of a TOML text; empty if it has none or is no TOML.

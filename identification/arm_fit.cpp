@@ -94,6 +94,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
       }
     }
   }
+  fit.scale = system.scale;
   fit.noise = typical_noise(fit.weights);
   return fit;
 }

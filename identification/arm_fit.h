@@ -14,6 +14,7 @@ struct ArmFit {
   Weights weights;              ///< in force at the end
   WhitenedResiduals residuals;  ///< under these
   Linearisation linearisation;  ///< at the solution, under these; columns are the free parameters
+  Eigen::VectorXd scale;        ///< of its columns, System::scale
   double noise = 0.0;           ///< mm a coordinate; the median over postures where it depends on them
   int degrees_of_freedom = 0;
   int iterations = 0;

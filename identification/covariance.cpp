@@ -46,13 +46,13 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
   return residuals;
 }
 
-std::optional<Eigen::MatrixXd> arm_covariance(const System& system, const Linearisation& linearisation) {
-  const Eigen::MatrixXd triangle = arm_triangle(linearisation, system.arm_size());
+std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, const Linearisation& linearisation) {
+  const Eigen::MatrixXd triangle = arm_triangle(linearisation, static_cast<int>(scale.size()));
   const auto [sigma, v] = svd(triangle);
   if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd root = system.scale.asDiagonal() * v * sigma.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd root = scale.asDiagonal() * v * sigma.cwiseInverse().asDiagonal();
   return root * root.transpose();
 }
 

@@ -11,8 +11,8 @@ namespace artcal {
 
 /// Covariance of the free parameters in mm and rad from the linearisation at a solution whose weights are
 /// inverse standard deviations: (RᵀR)⁻¹ with R the arm's triangle, by its singular values (never from
-/// JᵀJ). Nothing if R is singular to working precision.
-std::optional<Eigen::MatrixXd> arm_covariance(const System& system, const Linearisation& linearisation);
+/// JᵀJ). `scale` is System::scale of that linearisation. Nothing if R is singular to working precision.
+std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, const Linearisation& linearisation);
 
 /// Whitened residuals at a solution.
 struct WhitenedResiduals {

@@ -184,8 +184,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   if (!fit) {
     return tl::unexpected(fit.error());
   }
-  const System system = make_system(recording, constraints, preparation->start, preparation->free);
-  const auto covariance = arm_covariance(system, fit->linearisation);
+  const auto covariance = arm_covariance(fit->scale, fit->linearisation);
   if (!covariance) {
     return no_solution(
         "the readings determine the parameters at the nominal arm but not at the identified one; hold "
