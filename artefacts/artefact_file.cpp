@@ -56,7 +56,7 @@ CertifiedFeature read_feature(TomlTable table, double length) {
   }
   if (feature.kind == FeatureKind::Sphere) {
     feature.radius = 0.5 * table.number("diameter") * length;
-    if (feature.radius <= 0.0) {
+    if (*feature.radius <= 0.0) {
       table.fail("diameter", "the diameter of a sphere is not above zero");
     }
   }
@@ -131,7 +131,7 @@ void check_names(const Artefact& artefact, TomlTable& root) {
 Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
   Artefact artefact;
   artefact.name = root.name_or("name", at_most(80, path.stem().string()));
-  root.text_or("note", "");  // for people; read so that it is a known key
+  artefact.note = root.text_or("note", "");
   TomlTable units = root.table("units");
   const double length = length_unit(units, "length");
   const std::string frame = root.text_or("frame", "artefact");

@@ -85,7 +85,7 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
     constraint.distances.push_back(reading.length);
   } else if (feature.kind == FeatureKind::Sphere) {
     const double tip_radius = recording.arm.probes[reading.probe].radius;
-    constraint.distances.push_back(factor * feature.radius + tip_radius);
+    constraint.distances.push_back(factor * feature.radius.value() + tip_radius);
   }
   return {};
 }
@@ -112,7 +112,7 @@ std::map<std::pair<int, int>, double> temperatures(const Recording& recording, c
 bool has_certified_lengths(const Artefact& artefact) {
   return !artefact.distances.empty() ||
          std::any_of(artefact.features.begin(), artefact.features.end(),
-                     [](const CertifiedFeature& feature) { return feature.at || feature.radius > 0.0; });
+                     [](const CertifiedFeature& feature) { return feature.at || feature.radius; });
 }
 
 void warn_of_temperatures(Constraints& constraints, const std::map<std::pair<int, int>, double>& means) {

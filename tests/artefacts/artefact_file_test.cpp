@@ -53,7 +53,7 @@ TEST_F(ArtefactFileTest, ReadsWhatACertificateSays) {
   EXPECT_EQ(artefact.frame, CoordinateFrame::Artefact);
   ASSERT_THAT(artefact.features, SizeIs(5));
   EXPECT_EQ(artefact.features[2].kind, FeatureKind::Sphere);
-  EXPECT_DOUBLE_EQ(artefact.features[2].radius, 12.7);
+  EXPECT_DOUBLE_EQ(artefact.features[2].radius.value(), 12.7);
   EXPECT_FALSE(artefact.features[0].at);
   EXPECT_EQ(artefact.features[4].at, Eigen::Vector3d(3, 4, 0));
   ASSERT_THAT(artefact.distances, SizeIs(1));
@@ -87,7 +87,7 @@ TEST_F(ArtefactFileTest, ConvertsEveryLengthFromItsUnit) {
   ASSERT_TRUE(file) << file.error().text();
   const Artefact& artefact = file->artefact;
   EXPECT_EQ(artefact.frame, CoordinateFrame::Base);
-  EXPECT_DOUBLE_EQ(artefact.features[0].radius, 12.7);
+  EXPECT_DOUBLE_EQ(artefact.features[0].radius.value(), 12.7);
   EXPECT_TRUE(artefact.features[0].at->isApprox(Eigen::Vector3d(25.4, 50.8, 76.2), 1e-15));
   EXPECT_DOUBLE_EQ(artefact.features[2].u, 0.0635);
   EXPECT_DOUBLE_EQ(artefact.distances[0].value, 254.0);
