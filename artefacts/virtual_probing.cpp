@@ -17,6 +17,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_misses = 200;  // in a row; then the arm cannot do what is asked
 
+CertifiedFeature feature_called(std::string name, FeatureKind kind) {
+  CertifiedFeature feature;
+  feature.name = std::move(name);
+  feature.kind = kind;
+  return feature;
+}
+
 Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
   Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
   for (double& angle : q) {
@@ -80,10 +87,10 @@ const Eigen::Vector3d no_reference = Eigen::Vector3d::Constant(nan);
 
 VirtualRecording probe_coordinates(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
   const bool in_base = options.kind == ReadingKind::BaseCoordinates;
-  Artefact artefact{"coordinates",
-                    in_base ? CoordinateFrame::Base : CoordinateFrame::Artefact,
-                    {{"tip", FeatureKind::Coordinates, {}, 0.0, 0.0}},
-                    {}};
+  Artefact artefact;
+  artefact.name = "coordinates";
+  artefact.frame = in_base ? CoordinateFrame::Base : CoordinateFrame::Artefact;
+  artefact.features = {feature_called("tip", FeatureKind::Coordinates)};
   Recorder recorder(arm, artefact.name);
   const Rigid artefact_from_base = in_base ? Rigid{} : Rigid{random.rotation(), 0.3 * reach(arm) * random.direction()};
   for (int i = 0; i < options.readings; ++i) {
@@ -95,10 +102,10 @@ VirtualRecording probe_coordinates(const Arm& arm, const VirtualProbing& options
 
 VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
   const double length = options.distance > 0.0 ? options.distance : 0.25 * reach(arm);
-  Artefact artefact{"bar",
-                    CoordinateFrame::Artefact,
-                    {{"1", FeatureKind::Point, {}, 0.0, 0.0}, {"2", FeatureKind::Point, {}, 0.0, 0.0}},
-                    {{0, 1, length, 1e-3}}};
+  Artefact artefact;
+  artefact.name = "bar";
+  artefact.features = {feature_called("1", FeatureKind::Point), feature_called("2", FeatureKind::Point)};
+  artefact.distances = {{0, 1, length, 1e-3}};
   Recorder recorder(arm, artefact.name);
   int pairs = 0;
   int misses = 0;
@@ -121,13 +128,17 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
   const FeatureKind kind = options.kind == ReadingKind::Sphere   ? FeatureKind::Sphere
                            : options.kind == ReadingKind::Length ? FeatureKind::Anchor
                                                                  : FeatureKind::Point;
-  Artefact artefact{"features", CoordinateFrame::Artefact, {}, {}};
+  Artefact artefact;
+  artefact.name = "features";
   Recorder recorder(arm, artefact.name);
   const double ball = options.ball_radius + arm.probes.front().radius;
   int misses = 0;
   for (int f = 0; f < options.features && misses < most_misses; ++f) {
     const std::string name = fmt::format("{}", f + 1);
-    artefact.features.push_back({name, kind, {}, options.ball_radius, 0.0});
+    artefact.features.push_back(feature_called(name, kind));
+    if (kind == FeatureKind::Sphere) {
+      artefact.features.back().radius = options.ball_radius;
+    }
     const Eigen::Vector3d centre = tip_of(arm, random_posture(arm, random));
     const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
     for (int i = 0; i < count && misses < most_misses;) {
