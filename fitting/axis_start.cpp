@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include "fitting/round_models.h"
 #include "fitting/row_reducer.h"
+#include "fitting/small_matrix.h"
 
 namespace artcal::fitting {
 namespace {
@@ -58,8 +58,8 @@ RoundState along(const Cloud& cloud, const Eigen::Vector3d& a) {
     reducer.add(cloud.root_weight(i) * row);
   }
   const auto triangle = reducer.triangle();
-  const Eigen::Matrix<double, n, 1> solved = triangle.template topLeftCorner<n, n>().colPivHouseholderQr().solve(
-      triangle.template topRightCorner<n, 1>().eval());
+  const Eigen::Matrix<double, n, 1> solved =
+      least_squares_solution(triangle.template topLeftCorner<n, n>(), triangle.template topRightCorner<n, 1>());
   const double radius = std::sqrt(std::max(solved(2) + solved.template head<2>().squaredNorm(), 1e-4));
   const double psi = Tapered ? std::atan(solved(n - 2) / (2.0 * radius)) : 0.0;
   return state_of(a, solved(0) * u + solved(1) * v, radius, psi);
@@ -83,7 +83,7 @@ Paraboloid paraboloid(const Cloud& cloud) {
   }
   const auto triangle = reducer.triangle();
   const Eigen::Matrix<double, 6, 1> z =
-      triangle.topLeftCorner<6, 6>().colPivHouseholderQr().solve(triangle.topRightCorner<6, 1>().eval());
+      least_squares_solution(triangle.topLeftCorner<6, 6>(), triangle.topRightCorner<6, 1>());
   Paraboloid shape;
   shape.point = cloud.axes.col(2) * z(0);
   shape.normal = (cloud.axes * Eigen::Vector3d(-z(1), -z(2), 1.0)).normalized();

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include "fitting/row_reducer.h"
+#include "fitting/small_matrix.h"
 
 namespace artcal::fitting {
 namespace {
@@ -74,9 +74,9 @@ void find_axes(Cloud& cloud) {
   for (Eigen::Index i = 0; i < cloud.size(); ++i) {
     reducer.add(cloud.root_weight(i) * cloud.points.col(i).transpose());
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(reducer.triangle(), Eigen::ComputeFullV);
-  cloud.spread = svd.singularValues();
-  cloud.axes = svd.matrixV();
+  const SmallSvd svd = small_svd(reducer.triangle());
+  cloud.spread = svd.values;
+  cloud.axes = svd.right_vectors;
   cloud.axes.col(2) = cloud.axes.col(0).cross(cloud.axes.col(1));
 }
 

@@ -4,8 +4,6 @@
 #include <optional>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include "fitting/cloud.h"
 #include "fitting/least_squares.h"
@@ -58,12 +56,12 @@ std::optional<Eigen::Matrix<double, Size, Size>> unit_covariance(const Eigen::Ma
   if (!(length.minCoeff() > 1e-14 * length.maxCoeff())) {
     return std::nullopt;
   }
-  const Eigen::JacobiSVD<Square> svd(triangle * length.cwiseInverse().asDiagonal(), Eigen::ComputeFullV);
-  const auto& sigma = svd.singularValues();
+  const SmallSvd svd = small_svd(triangle * length.cwiseInverse().asDiagonal());
+  const SmallVector& sigma = svd.values;
   if (!(sigma(Size - 1) > parallel * sigma(0))) {
     return std::nullopt;
   }
-  const Square root = length.cwiseInverse().asDiagonal() * svd.matrixV() * sigma.cwiseInverse().asDiagonal();
+  const Square root = length.cwiseInverse().asDiagonal() * svd.right_vectors * sigma.cwiseInverse().asDiagonal();
   return root * root.transpose();
 }
 

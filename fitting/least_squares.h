@@ -5,10 +5,10 @@
 #include <optional>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include "fitting/fit.h"
 #include "fitting/row_reducer.h"
+#include "fitting/small_matrix.h"
 
 namespace artcal::fitting {
 
@@ -51,7 +51,7 @@ Eigen::Matrix<double, Size, 1> damped_step(const Linearised<Size>& at, const Eig
   stacked << at.triangle, Eigen::Matrix<double, Size, Size>((std::sqrt(damping) * column).asDiagonal());
   Eigen::Matrix<double, 2 * Size, 1> rhs;
   rhs << -at.rhs, Eigen::Matrix<double, Size, 1>::Zero();
-  return stacked.colPivHouseholderQr().solve(rhs);
+  return least_squares_solution(stacked, rhs);
 }
 
 /// One step, and whether it is so short that Gauss-Newton may be trusted without asking the cost: close to
