@@ -8,6 +8,7 @@
 
 #include "acquisition/arm.h"
 #include "acquisition/reading.h"
+#include "core/input_file.h"
 
 namespace artcal {
 
@@ -27,12 +28,6 @@ struct IdentifyRequest {
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
   std::vector<std::string> free;  ///< parameters to identify although they are held by default
   std::string loss = "none";      ///< none, huber, cauchy
-};
-
-/// A file that a result rests on.
-struct InputFile {
-  std::string path;
-  std::string sha256;
 };
 
 /// One recording session: an arm and what it read. Joint angles in rad, as the encoders gave them.

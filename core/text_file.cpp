@@ -1,13 +1,11 @@
 #include "core/text_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "core/hash.h"
+#include "core/file_bytes.h"
 
 namespace artcal {
 namespace {
@@ -54,32 +52,12 @@ std::size_t find_not_utf8(std::string_view text) {
 }  // namespace
 
 Expected<TextFile> read_text_file(const std::filesystem::path& path, std::size_t max_bytes) {
+  auto whole = read_file_bytes(path, max_bytes, "a text file");
+  if (!whole) {
+    return tl::unexpected(whole.error());
+  }
   const std::string name = path.string();
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
-    return bad_input("there is no such file; check the path, which is taken from the folder of the file that names it",
-                     name);
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    return bad_input("this is a folder or a device, expected a text file", name);
-  }
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > max_bytes) {
-    return bad_input(fmt::format("the file has {} bytes, more than the {} that are read; split it", size, max_bytes),
-                     name);
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    return bad_input(fmt::format("the file cannot be opened: {}", std::strerror(errno)), name);
-  }
-  TextFile file{path, {}, {}};
-  file.text.resize(error ? 0 : size);
-  stream.read(file.text.data(), static_cast<std::streamsize>(file.text.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != file.text.size()) {
-    return bad_input("the file ended early while it was read; is it still being written?", name);
-  }
-  file.sha256 = sha256(file.text);
+  TextFile file{path, std::move(whole->bytes), std::move(whole->sha256)};
   if (file.text.starts_with(utf8_mark)) {
     file.text.erase(0, utf8_mark.size());
   }

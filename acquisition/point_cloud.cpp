@@ -1,0 +1,71 @@
+#include "acquisition/point_cloud.h"
+
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "acquisition/cloud_formats.h"
+
+namespace artcal {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{16} << 30;
+
+// Formats of scans that are not read, by their first bytes.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> others{{{"LASF", "LAS"},
+                                                                               {"ASTM-E57", "E57"},
+                                                                               {"PK\x03\x04", "a ZIP or XLSX archive"},
+                                                                               {"\x1f\x8b", "compressed with gzip"},
+                                                                               {"solid ", "STL"}}};
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return extension;
+}
+
+// A cloud whose header was lost would read as a table of other columns.
+Expected<void> check_text(const FileBytes& file) {
+  const std::string name = file.path.string();
+  for (const auto& [start, format] : others) {
+    if (file.bytes.starts_with(start)) {
+      return bad_input(fmt::format("the file looks like {}, which is not read; export it as PLY, PCD or text", format),
+                       name);
+    }
+  }
+  if (file.bytes.find('\0') != std::string::npos) {
+    return bad_input(
+        "the file holds zero bytes, but begins neither as PCD nor as PLY; expected one of these or plain "
+        "text",
+        name);
+  }
+  const std::string extension = lower_extension(file.path);
+  if (extension == ".pcd" || extension == ".ply") {
+    return bad_input(fmt::format("the name ends in {}, but the file does not begin as such a file does", extension),
+                     name);
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<PointCloud> parse_point_cloud(const FileBytes& file, const CloudUnits& units) {
+  if (looks_like_ply(file.bytes)) {
+    return parse_ply(file, units);
+  }
+  if (looks_like_pcd(file.bytes)) {
+    return parse_pcd(file, units);
+  }
+  return check_text(file).and_then([&] { return parse_xyz(file, units); });
+}
+
+Expected<PointCloud> read_point_cloud(const std::filesystem::path& path, const CloudUnits& units) {
+  return read_file_bytes(path, most_bytes, "a point file").and_then([&](const FileBytes& file) {
+    return parse_point_cloud(file, units);
+  });
+}
+
+}  // namespace artcal
