@@ -82,6 +82,9 @@ bool is_exact_as_double(NumberType type) { return type != NumberType::Int64 && t
 
 void add_records(const std::vector<BinaryColumn>& columns, std::size_t count, ByteOrder order, CloudBuilder& builder) {
   const std::size_t width = columns.size();
+  if (std::any_of(columns.begin(), columns.end(), [](const auto& c) { return c.type == NumberType::Float32; })) {
+    builder.note_single_precision();
+  }
   std::vector<double> records(std::min(block, count) * width);
   for (std::size_t from = 0; from < count; from += block) {
     const std::size_t here = std::min(block, count - from);

@@ -53,6 +53,17 @@ std::optional<std::string> unlikely_size(const Eigen::Matrix3Xd& points) {
   return fmt::format("the points span {:.3g} mm; is the unit right?", span);
 }
 
+// A float has 24 bits: half of the last one is what a coordinate may be off.
+std::optional<std::string> coarse_storage(const Eigen::Matrix3Xd& points) {
+  const double largest = points.cwiseAbs().maxCoeff();
+  const double rounding = largest * 0x1p-24;
+  if (rounding <= 1e-3) {
+    return std::nullopt;
+  }
+  return fmt::format("the file has single precision, which rounds coordinates of {:.4g} mm by up to {:.2g} mm", largest,
+                     rounding);
+}
+
 }  // namespace
 
 Expected<CloudColumns> find_cloud_columns(const std::vector<std::string>& names, const CloudUnits& units,
@@ -125,6 +136,9 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
   }
   if (auto unlikely = size_ > 1 ? unlikely_size(cloud.points) : std::nullopt) {
     cloud.warnings.push_back(*unlikely);
+  }
+  if (auto coarse = single_precision_ ? coarse_storage(cloud.points) : std::nullopt) {
+    cloud.warnings.push_back(*coarse);
   }
   return cloud;
 }

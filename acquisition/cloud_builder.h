@@ -46,6 +46,9 @@ class CloudBuilder {
     ++records_;
   }
 
+  /// Notes that the file has coordinates in single precision.
+  void note_single_precision() { single_precision_ = true; }
+
   /// Refused: no record, none that is a number, all points the same.
   Expected<PointCloud> finish(const FileBytes& file, std::vector<std::string> warnings) &&;
 
@@ -56,6 +59,7 @@ class CloudBuilder {
   std::vector<int> rows_;
   Eigen::Index size_ = 0;
   int records_ = 0;
+  bool single_precision_ = false;
 };
 
 }  // namespace artcal

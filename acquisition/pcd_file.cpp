@@ -99,7 +99,8 @@ Expected<PointCloud> read_binary(Pcd& pcd, const CloudUnits& units) {
                                  header.record_size, needed, pcd.body().size()),
                      pcd.path);
   }
-  if (needed < pcd.body().size()) {
+  // PCL's own writer leaves a page of zeros behind the points.
+  if (pcd.body().find_first_not_of('\0', needed) != std::string_view::npos) {
     pcd.warnings.push_back(fmt::format("{} bytes follow the last point and were not read; {}",
                                        pcd.body().size() - needed, promise(header)));
   }

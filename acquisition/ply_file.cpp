@@ -21,10 +21,10 @@ struct Ply {
 };
 
 tl::unexpected<Error> too_short(const Ply& ply, const PlyElement& element) {
-  return bad_input(fmt::format("the header promises {} records of the element {}, but the file ends before that; is it "
-                               "truncated?",
-                               element.count, in_quotes(element.name)),
-                   ply.path);
+  const std::string what = &element == ply.vertex ? "points" : "records of the element " + in_quotes(element.name);
+  return bad_input(
+      fmt::format("the header promises {} {}, but the file ends before that; is it truncated?", element.count, what),
+      ply.path);
 }
 
 Expected<void> find_vertex(Ply& ply, const CloudUnits& units) {

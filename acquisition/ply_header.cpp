@@ -59,6 +59,9 @@ class Reader {
         continue;  // the first line is the "ply" that brought us here
       }
       if (words->front() == "end_header") {
+        if (words->size() > 1) {
+          return bad_input("end_header: expected nothing behind it, and the first point on a line of its own", where_);
+        }
         break;
       }
       if (words->front() == "format" && formatted) {
