@@ -33,6 +33,7 @@ struct IdentifyRequest {
 /// One recording session: an arm and what it read. Joint angles in rad, as the encoders gave them.
 struct Recording {
   std::string name;
+  std::string date;        ///< of the measurement, "2026-03-10"; empty: not stated
   Arm arm;                 ///< the nominal arm, the start of identification
   Eigen::MatrixXd joints;  ///< joint × reading, rad
   std::vector<Reading> readings;

@@ -72,6 +72,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   Recording recording;
   recording.inputs.push_back({path.string(), document->sha256()});
   recording.name = root.name_or("name", at_most(80, path.stem().string()));
+  recording.date = root.date_or("date", "");
   const std::string arm_path = root.text("arm");
   for (const auto& name : root.texts("artefacts")) {
     recording.artefact_paths.push_back((folder / name).string());

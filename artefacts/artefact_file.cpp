@@ -1,10 +1,15 @@
 #include "artefacts/artefact_file.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "artefacts/artefact_type.h"
+#include "artefacts/artefact_values.h"
+#include "artefacts/certificate.h"
+#include "artefacts/consistency.h"
+#include "artefacts/distance_table.h"
+#include "artefacts/feature_table.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
@@ -14,106 +19,80 @@ namespace artcal {
 namespace {
 
 constexpr std::string_view schema = "artcal-artefact/1";
+constexpr std::size_t most_bytes = std::size_t{16} << 20;
+constexpr std::size_t most_features = 1000;
+constexpr std::size_t most_distances = 5000;
 
-// U and k as a certificate states them, to u = U/k in mm.
-double read_standard_uncertainty(TomlTable& table, double length) {
-  const double expanded = table.number("U") * length;
-  const double k = table.number("k");
-  if (expanded <= 0.0 || k <= 0.0) {
-    table.fail("U", "an uncertainty of zero or less is not one: state U and k as the certificate does");
-    return 1.0;
+ArtefactType read_type(TomlTable& root) {
+  if (!root.has("type")) {
+    return ArtefactType::Other;
   }
-  return expanded / k;
+  const std::string name = root.text("type");
+  const auto type = artefact_type(name);
+  if (!type) {
+    root.fail("type", fmt::format("the type is {}, expected one of {}", in_quotes(name), artefact_type_names()));
+  }
+  return type.value_or(ArtefactType::Other);
 }
 
-FeatureKind read_kind(TomlTable& table) {
-  const std::string kind = table.text("kind");
-  if (kind == "sphere") return FeatureKind::Sphere;
-  if (kind == "anchor") return FeatureKind::Anchor;
-  if (kind == "coordinates") return FeatureKind::Coordinates;
-  if (kind != "point") {
-    table.fail("kind", fmt::format("the feature's kind is {}, expected \"point\", \"sphere\", \"anchor\" or "
-                                   "\"coordinates\"",
-                                   in_quotes(kind)));
+CoordinateFrame read_frame(TomlTable& root) {
+  const std::string frame = root.text_or("frame", "artefact");
+  if (frame != "artefact" && frame != "base") {
+    root.fail("frame", fmt::format("frame is {}, expected \"artefact\" (pose unknown) or \"base\" (the arm's)",
+                                   in_quotes(frame)));
   }
-  return FeatureKind::Point;
+  return frame == "base" ? CoordinateFrame::Base : CoordinateFrame::Artefact;
 }
 
-CertifiedFeature read_feature(TomlTable table, double length) {
-  CertifiedFeature feature;
-  feature.name = table.name("name");
-  if (feature.name.empty()) {
-    table.fail("name", "the feature's name is empty; readings find it by its name");
+// Stated as U with its k, or as a standard uncertainty; 1/K.
+double read_u_expansion(TomlTable& root) {
+  const bool expanded = root.has("U_expansion_per_K");
+  const char* key = expanded ? "U_expansion_per_K" : "u_expansion_per_K";
+  if (!root.has(key)) {
+    return 0.0;
   }
-  feature.kind = read_kind(table);
-  if (table.has("at")) {
-    const auto at = table.numbers("at");
-    if (at.size() != 3) {
-      table.fail("at", fmt::format("`at` holds {} numbers, expected x, y and z", at.size()));
-    } else {
-      feature.at = length * Eigen::Vector3d::Map(at.data());
-    }
+  if (expanded && root.has("u_expansion_per_K")) {
+    root.fail("u_expansion_per_K", "state U_expansion_per_K with k_expansion, or u_expansion_per_K, not both");
   }
-  if (feature.kind == FeatureKind::Sphere) {
-    feature.radius = 0.5 * table.number("diameter") * length;
-    if (*feature.radius <= 0.0) {
-      table.fail("diameter", "the diameter of a sphere is not above zero");
-    }
+  if (!root.has("expansion_per_K")) {
+    root.fail(key, "the uncertainty of an expansion is stated, but not the expansion itself (expansion_per_K)");
   }
-  if (table.has("U") && (feature.kind == FeatureKind::Anchor || feature.kind == FeatureKind::Coordinates)) {
-    feature.u = read_standard_uncertainty(table, length);
+  const double u = root.number(key) / (expanded ? root.number("k_expansion") : 1.0);
+  if (!(u > 0.0) || u > 1e-4) {
+    root.fail(key, fmt::format("a standard uncertainty of {} per kelvin is none, expected some 1e-6", u));
   }
-  if (feature.kind == FeatureKind::Coordinates && feature.at) {
-    table.fail("at",
-               "a feature of the kind \"coordinates\" gets its place from each reading (ref_x, ref_y, ref_z), so "
-               "it has no `at` of its own");
-  }
-  return feature;
+  return u;
 }
 
-CertifiedDistance read_distance(TomlTable table, const Artefact& artefact, double length) {
-  CertifiedDistance distance;
-  const auto names = table.texts("between");
-  if (names.size() != 2 || names[0] == names[1]) {
-    table.fail("between", "a distance lies between two features, such as between = [\"1\", \"2\"]");
-    return distance;
+void read_expansion(TomlTable& root, Artefact& artefact) {
+  artefact.expansion_is_known = root.has("expansion_per_K");
+  artefact.expansion = root.number_or("expansion_per_K", 0.0);
+  if (std::abs(artefact.expansion) > 1e-3) {
+    root.fail("expansion_per_K",
+              fmt::format("an expansion of {} per kelvin is no solid's; steel is 11.5e-6", artefact.expansion));
   }
-  for (const auto& name : names) {
-    if (artefact.feature_index(name) < 0) {
-      table.fail("between",
-                 fmt::format("the distance names the feature {}, which the artefact does not have", in_quotes(name)));
-      return distance;
-    }
+  artefact.u_expansion = read_u_expansion(root);
+  artefact.reference_temperature = root.number_or("reference_temperature_C", 20.0);
+}
+
+ArtefactValues read_values(TomlTable& root, const Artefact& artefact) {
+  TomlTable units = root.table("units");
+  ArtefactValues values;
+  values.length = length_unit(units, "length");
+  values.reference_temperature = artefact.reference_temperature;
+  if (artefact.expansion_is_known) {
+    values.expansion = artefact.expansion;
   }
-  distance.first = artefact.feature_index(names[0]);
-  distance.second = artefact.feature_index(names[1]);
-  distance.value = table.number("value") * length;
-  distance.u = read_standard_uncertainty(table, length);
-  if (distance.value <= 0.0) {
-    table.fail("value", "a certified distance is not above zero");
+  values.u_expansion = artefact.u_expansion;
+  read_rules(root.table("uncertainty"), values);
+  return values;
+}
+
+bool too_many(TomlTable& root, const char* key, std::size_t count, std::size_t most) {
+  if (count > most) {
+    root.fail(key, fmt::format("the artefact has {} tables [[{}]], more than the {} that are read", count, key, most));
   }
-  const CertifiedFeature& from = artefact.features[distance.first];
-  const CertifiedFeature& to = artefact.features[distance.second];
-  if (from.kind == FeatureKind::Coordinates || to.kind == FeatureKind::Coordinates) {
-    table.fail("between", "a feature of the kind \"coordinates\" is no single point that a distance could end at");
-  } else if (from.at.has_value() != to.at.has_value()) {
-    // Half known, it would bind the pose to a free point; no certificate says such a thing.
-    table.fail("between", fmt::format("of the features {} and {} only one has certified coordinates; state `at` for "
-                                      "both, or for neither",
-                                      in_quotes(names[0]), in_quotes(names[1])));
-  } else if (from.at && std::abs((*from.at - *to.at).norm() - distance.value) > 2.0 * distance.u) {
-    table.fail("value",
-               fmt::format("the certified distance between {} and {} is {} mm, but their certified coordinates "
-                           "are {} mm apart, which is more than its U away",
-                           in_quotes(names[0]), in_quotes(names[1]), distance.value, (*from.at - *to.at).norm()));
-  }
-  for (const CertifiedDistance& other : artefact.distances) {
-    if (std::minmax(other.first, other.second) == std::minmax(distance.first, distance.second)) {
-      table.fail("between", fmt::format("the distance between {} and {} is stated twice", in_quotes(names[0]),
-                                        in_quotes(names[1])));
-    }
-  }
-  return distance;
+  return count > most;
 }
 
 void check_names(const Artefact& artefact, TomlTable& root) {
@@ -128,39 +107,67 @@ void check_names(const Artefact& artefact, TomlTable& root) {
   }
 }
 
+void note(const Contradiction& found, std::vector<TomlTable>& features, std::vector<TomlTable>& distances,
+          const std::vector<std::size_t>& table_of) {
+  if (found.of == Contradiction::Of::Feature) {
+    TomlTable& table = features[found.index];
+    table.fail(table.has("at") ? "at" : "kind", found.message);
+    return;
+  }
+  TomlTable& table = distances[table_of[found.index]];
+  const char* ends = table.has("along") ? "along" : "between";
+  table.fail(found.of == Contradiction::Of::Ends || !table.has("value") ? ends : "value", found.message);
+}
+
+// Reads the tables, and refuses what they say of one another where they say it.
+void read_geometry(TomlTable& root, const ArtefactValues& values, Artefact& artefact) {
+  auto features = root.tables("feature");
+  auto distances = root.tables("distance");
+  if (too_many(root, "feature", features.size(), most_features) ||
+      too_many(root, "distance", distances.size(), most_distances)) {
+    return;
+  }
+  for (auto& table : features) {
+    artefact.features.push_back(read_feature(table, values));
+  }
+  check_names(artefact, root);
+  if (artefact.features.empty()) {
+    return;
+  }
+  std::vector<std::size_t> table_of;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    for (const auto& distance : read_distances(distances[i], artefact, values)) {
+      artefact.distances.push_back(distance);
+      table_of.push_back(i);
+    }
+  }
+  if (const auto found = find_contradiction(artefact)) {
+    note(*found, features, distances, table_of);
+  }
+}
+
 Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
   Artefact artefact;
   artefact.name = root.name_or("name", at_most(80, path.stem().string()));
+  artefact.type = read_type(root);
   artefact.note = root.text_or("note", "");
-  TomlTable units = root.table("units");
-  const double length = length_unit(units, "length");
-  const std::string frame = root.text_or("frame", "artefact");
-  if (frame != "artefact" && frame != "base") {
-    root.fail("frame", fmt::format("frame is {}, expected \"artefact\" (pose unknown) or \"base\" (the arm's)",
-                                   in_quotes(frame)));
-  }
-  artefact.frame = frame == "base" ? CoordinateFrame::Base : CoordinateFrame::Artefact;
-  artefact.expansion_is_known = root.has("expansion_per_K");
-  artefact.expansion = root.number_or("expansion_per_K", 0.0);
-  if (std::abs(artefact.expansion) > 1e-3) {
-    root.fail("expansion_per_K",
-              fmt::format("an expansion of {} per kelvin is no solid's; steel is 11.5e-6", artefact.expansion));
-  }
-  artefact.reference_temperature = root.number_or("reference_temperature_C", 20.0);
-  for (auto& table : root.tables("feature")) {
-    artefact.features.push_back(read_feature(table, length));
-  }
-  check_names(artefact, root);
-  for (auto& table : root.tables("distance")) {
-    artefact.distances.push_back(read_distance(table, artefact, length));
-  }
+  artefact.material = root.name_or("material", "");
+  artefact.supports = root.name_or("supports", "");
+  artefact.certificate = read_certificate(root.table("certificate"));
+  artefact.frame = read_frame(root);
+  read_expansion(root, artefact);
+  read_geometry(root, read_values(root, artefact), artefact);
   return artefact;
 }
 
 }  // namespace
 
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
-  auto document = TomlDocument::read(path, schema);
+  const auto file = read_text_file(path, most_bytes);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  auto document = TomlDocument::parse(*file, schema);
   if (!document) {
     return tl::unexpected(document.error());
   }

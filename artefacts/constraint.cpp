@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "artefacts/artefact_file.h"
+#include "artefacts/certificate.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -260,6 +261,9 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
   }
   add_distances(constraints, index, means);
   warn_of_temperatures(constraints, means);
+  for (auto& warning : certificate_warnings(constraints.artefacts, recording.date)) {
+    constraints.warnings.push_back(std::move(warning));
+  }
   assign_groups(constraints);
   return constraints;
 }

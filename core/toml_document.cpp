@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "core/calendar_date.h"
 #include "core/in_quotes.h"
 #include "core/toml_keys.h"
 
@@ -78,6 +79,10 @@ const toml::key* first_unread(const toml::table& table, const std::set<const tom
 
 bool TomlTable::has(std::string_view key) const { return table_ != nullptr && as_table(table_).get(key) != nullptr; }
 
+bool TomlTable::is_text(std::string_view key) const { return has(key) && as_table(table_).get(key)->is_string(); }
+
+bool TomlTable::is_table(std::string_view key) const { return has(key) && as_table(table_).get(key)->is_table(); }
+
 std::string TomlTable::where(std::string_view key) const {
   if (table_ == nullptr) {
     return shared_->path;
@@ -144,6 +149,29 @@ double TomlTable::number_or(std::string_view key, double fallback) { return has(
 
 std::optional<double> TomlTable::optional_number(std::string_view key) {
   return has(key) ? std::optional(number(key)) : std::nullopt;
+}
+
+std::string TomlTable::date(std::string_view key) {
+  const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
+  if (node != nullptr && node->is_date()) {
+    shared_->read.insert(node);
+    const toml::date day = node->ref<toml::date>();
+    return fmt::format("{:04}-{:02}-{:02}", day.year, day.month, day.day);
+  }
+  if (node == nullptr || !node->is_string()) {
+    expected(key, "a date such as 2026-03-02");
+    return {};
+  }
+  std::string found = text(key);
+  if (!is_calendar_date(found)) {
+    fail(key, fmt::format("`{}` is {}, expected a day of the calendar written as 2026-03-02 (year, month, day)", key,
+                          in_quotes(found)));
+  }
+  return found;
+}
+
+std::string TomlTable::date_or(std::string_view key, std::string fallback) {
+  return has(key) ? date(key) : std::move(fallback);
 }
 
 bool TomlTable::truth_or(std::string_view key, bool fallback) {

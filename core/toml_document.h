@@ -20,6 +20,8 @@ namespace artcal {
 class TomlTable {
  public:
   [[nodiscard]] bool has(std::string_view key) const;
+  [[nodiscard]] bool is_text(std::string_view key) const;   ///< false where the key is absent
+  [[nodiscard]] bool is_table(std::string_view key) const;  ///< false where the key is absent
 
   std::string text(std::string_view key);
   std::string text_or(std::string_view key, std::string fallback);
@@ -28,6 +30,8 @@ class TomlTable {
   double number(std::string_view key);  ///< integer or float; NaN and infinity are refused
   double number_or(std::string_view key, double fallback);
   std::optional<double> optional_number(std::string_view key);
+  std::string date(std::string_view key);  ///< 2026-03-02, bare or in quotes; a day that the calendar has
+  std::string date_or(std::string_view key, std::string fallback);
   bool truth_or(std::string_view key, bool fallback);
   std::vector<double> numbers(std::string_view key);
   std::vector<std::string> texts(std::string_view key);         ///< an array of strings; none if absent

@@ -205,6 +205,70 @@ TEST_F(ArtefactFileTest, RefusesNamesThatATerminalWouldObey) {
   EXPECT_EQ(refusal("name = \"bar\"", "note = \"two\\nlines\""), "accepted") << "a note is never shown";
 }
 
+TEST_F(ArtefactFileTest, ReadsWhatItIsAndIsMadeOf) {
+  const auto file = read(
+      "schema = \"artcal-artefact/1\"\ntype = \"plane\"\nunits = { length = \"mm\" }\nmaterial = \"granite\"\n"
+      "supports = \"three feet\"\n[[feature]]\nname = \"top\"\nkind = \"plane\"\nform = 0.003\nU_form = \"1 um\"\nk = "
+      "2\n"
+      "[[feature]]\nname = \"side\"\nkind = \"plane\"\nat = [1, 2, 3]\nnormal = [0, -3, 4]\n");
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_EQ(file->artefact.type, ArtefactType::Plane);
+  EXPECT_EQ(file->artefact.material, "granite");
+  EXPECT_EQ(file->artefact.supports, "three feet");
+  EXPECT_EQ(file->artefact.features[0].form, 0.003);
+  EXPECT_DOUBLE_EQ(file->artefact.features[0].u_form, 0.0005);
+  EXPECT_FALSE(file->artefact.features[0].normal);
+  EXPECT_TRUE(file->artefact.features[1].normal->isApprox(Eigen::Vector3d(0.0, -0.6, 0.8), 1e-15)) << "a unit vector";
+}
+
+TEST_F(ArtefactFileTest, WantsAnUnknownDiameterSaid) {
+  const auto file = read(replaced(std::string(bar), "diameter = 25.4", "diameter = \"unknown\""));
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_FALSE(file->artefact.features[2].radius);
+  EXPECT_THAT(refusal("diameter = 25.4", "diameter = \"?\""), HasSubstr("`diameter` is \"?\", expected a number, or"));
+  EXPECT_THAT(refusal("diameter = 25.4", "diameter = \"unknown\"\nU_diameter = 1\nk = 2"),
+              HasSubstr("a diameter that is unknown has no uncertainty"));
+}
+
+TEST_F(ArtefactFileTest, RefusesPlanesThatAreHalfKnown) {
+  const auto plane = [&](const std::string& more) {
+    return refusal_with("[[feature]]\nname = \"face\"\nkind = \"plane\"\n" + more);
+  };
+  EXPECT_EQ(plane(""), "accepted");
+  EXPECT_THAT(plane("at = [0, 0, 9]\n"),
+              HasSubstr("has `at`, one of its points, and `normal`; state both, or neither"));
+  EXPECT_THAT(plane("normal = [0, 0, 1]\n"), HasSubstr("state both, or neither"));
+  EXPECT_THAT(plane("at = [0, 0, 9]\nnormal = [0, 0, 0]\n"), HasSubstr("the normal has no direction"));
+  EXPECT_THAT(plane("diameter = 3\n"), HasSubstr("\"diameter\" is not a key that is known here"));
+  EXPECT_THAT(plane("[[distance]]\nbetween = [\"A\", \"face\"]\nvalue = 3\nU = 0.001\nk = 2\n"),
+              HasSubstr("one is a plane; a distance lies between two planes"));
+}
+
+TEST_F(ArtefactFileTest, RefusesUncertaintiesOfWhatIsNotThere) {
+  EXPECT_THAT(refusal("name = \"B\"\n", "name = \"B\"\nU_at = 0.1\nk = 2\n"), HasSubstr("but the feature has no `at`"));
+  EXPECT_THAT(refusal("diameter = 25.4", "diameter = 25.4\nU_form = 0.1\nk = 2"),
+              HasSubstr("but the feature has no `form`"));
+  EXPECT_THAT(refusal("diameter = 25.4", "diameter = 25.4\nform = -0.1"), HasSubstr("not below zero"));
+}
+
+TEST_F(ArtefactFileTest, RefusesTypesAndTheirContradictions) {
+  EXPECT_THAT(refusal("name = \"bar\"", "type = \"bal bar\""),
+              StartsWith("bar.toml:2:8: the type is \"bal bar\", expected one of \"ball bar\", "));
+  EXPECT_THAT(refusal("name = \"bar\"", "type = \"sphere plate\""), StartsWith("accepted"));
+  EXPECT_THAT(
+      refusal("name = \"bar\"", "type = \"seat plate\""),
+      StartsWith("bar.toml:14:8: the artefact is a seat plate, which has points, but the feature \"ball\" is none"));
+}
+
+TEST_F(ArtefactFileTest, RefusesMoreThanItReads) {
+  std::string many = "schema = \"artcal-artefact/1\"\nunits = { length = \"mm\" }\n";
+  for (int i = 0; i < 1001; ++i) {
+    many += "[[feature]]\nname = \"" + std::to_string(i) + "\"\nkind = \"point\"\n";
+  }
+  EXPECT_THAT(refusal(many), HasSubstr("1001 tables [[feature]], more than the 1000 that are read"));
+  EXPECT_THAT(refusal(std::string(bar) + "#" + std::string((std::size_t{16} << 20), 'x')), HasSubstr("split it"));
+}
+
 TEST_F(ArtefactFileTest, ShowsHostileNamesHarmlessly) {
   const std::string hostile = "\\u001b[2J" + std::string(5000, 'x');
   const std::string message = refusal("[\"A\", \"B\"]", "[\"A\", \"" + hostile + "\"]");

@@ -68,5 +68,16 @@ TEST(UnitNames, MissingOrUnknownUnitsAreErrors) {
   EXPECT_THAT(unit_in("joint = \"mm\"", false).error().text(), HasSubstr("one of deg, rad, mrad, arcsec"));
 }
 
+TEST(UnitNames, ReadsALengthPerLength) {
+  EXPECT_EQ(ratio_quantity("1.2 um/m"), 1.2e-6);
+  EXPECT_EQ(ratio_quantity("1.2 µm/m"), 1.2e-6);
+  EXPECT_EQ(ratio_quantity("3 ppm"), 3e-6);
+  EXPECT_EQ(ratio_quantity("0.5 mm/m"), 0.5e-3);
+  EXPECT_EQ(ratio_quantity("0.001 mm/mm"), 0.001);
+  for (const char* none : {"1.2", "1.2 um", "-1 ppm", "um/m", "inf ppm"}) {
+    EXPECT_FALSE(ratio_quantity(none)) << none;
+  }
+}
+
 }  // namespace
 }  // namespace artcal

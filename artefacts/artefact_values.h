@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/toml_document.h"
+
+namespace artcal {
+
+/// An expanded uncertainty that depends on the length: U = a + b·L, or U = √(a² + (b·L)²).
+struct UncertaintyRule {
+  double a = 0.0;           ///< mm, above zero
+  double b = 0.0;           ///< mm per mm
+  double k = 0.0;           ///< coverage factor of U
+  bool in_squares = false;  ///< the second form
+
+  /// U/k at a length in mm.
+  [[nodiscard]] double standard_uncertainty(double length) const;
+};
+
+/// What all values of one artefact file are read with.
+struct ArtefactValues {
+  double length = 1.0;  ///< the file's unit, mm
+  double reference_temperature = 20.0;
+  std::optional<double> expansion;  ///< 1/K
+  double u_expansion = 0.0;         ///< 1/K
+  std::optional<UncertaintyRule> at_rule, distance_rule, diameter_rule;
+};
+
+/// Reads [uncertainty]: rules for `at`, `distance` and `diameter`.
+void read_rules(TomlTable table, ArtefactValues& values);
+
+/// U and k, stated under the keys `U` and `k` as a certificate does, to u = U/k in mm. U is a number in the file's unit
+/// or a text with its own unit. `k_own` is asked for before `k`.
+double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
+                                 const std::string& k_own = "k");
+
+/// U and k of a value, or what the file's rule says at `length`; nothing where there is neither. Both are an error.
+std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
+                                       const std::string& k_own, const std::optional<UncertaintyRule>& rule,
+                                       double length);
+
+/// A factor on lengths that were stated at a temperature of their own, and what it adds to their uncertainty.
+struct TemperatureConversion {
+  double factor = 1.0;
+  double relative_u = 0.0;  ///< standard uncertainty of the factor: |T − reference|·u(α)
+};
+
+/// From `temperature` (°C) to the reference; what is wrong with it is noted at `key`. Away from the reference
+/// temperature it needs an expansion.
+TemperatureConversion conversion_at(TomlTable& table, std::string_view key, double temperature,
+                                    const ArtefactValues& values);
+
+/// Reads `temperature_C` of a value; without it nothing is converted.
+TemperatureConversion read_conversion(TomlTable& table, const ArtefactValues& values);
+
+}  // namespace artcal
