@@ -16,6 +16,7 @@
 namespace {
 
 constexpr std::array commands{
+    artcal::Command{"fit", "one feature from a file of points", artcal::set_up_fit},
     artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
     artcal::Command{"coupling", "what readings can tell of an arm, and what they cannot", artcal::set_up_coupling},
 };

@@ -1,6 +1,6 @@
 #include "app/result_json.h"
 
-#include "app/version.h"
+#include "app/result_head.h"
 #include "identification/lost_text.h"
 
 namespace artcal {
@@ -9,16 +9,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json header(const Recording& recording, const char* kind, const std::optional<std::uint64_t>& seed) {
-  Json json;
-  json["schema_version"] = 1;
-  json["kind"] = kind;
-  json["program"] = {{"name", "artcal"}, {"version", program_version}};
+  Json json = result_head(kind);
   json["recording"] = recording.name;
   json["arm"] = recording.arm.name;
-  json["inputs"] = Json::array();
-  for (const InputFile& input : recording.inputs) {
-    json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
-  }
+  json["inputs"] = inputs_json(recording.inputs);
   json["seed"] = seed ? Json(*seed) : Json(nullptr);
   return json;
 }

@@ -28,6 +28,7 @@ TEST_F(Help, OfTheProgramNamesTheCommands) {
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.out, HasSubstr("identify"));
   EXPECT_THAT(ended.out, HasSubstr("coupling"));
+  EXPECT_THAT(ended.out, HasSubstr("fit"));
   EXPECT_THAT(ended.err, IsEmpty());
   EXPECT_THAT(run({"--version"}).out, MatchesRegex("artcal [0-9]+\\.[0-9]+\\.[0-9]+\n"));
   EXPECT_THAT(run({}).err, HasSubstr("--help"));
@@ -35,7 +36,7 @@ TEST_F(Help, OfTheProgramNamesTheCommands) {
 }
 
 TEST_F(Help, EveryExampleOfEveryCommandRuns) {
-  for (const char* command : {"identify", "coupling"}) {
+  for (const char* command : {"fit", "identify", "coupling"}) {
     const Ended help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_THAT(help.out, HasSubstr("--json"));

@@ -108,5 +108,18 @@ TEST_F(ResultSchema, OfCouplings) {
         "coupling_result");
 }
 
+TEST_F(ResultSchema, OfFits) {
+  take("points");
+  check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--towards", "0,0,1", "--json", "-"}, "fit");
+  check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--criterion", "minimum-zone", "--json", "-"},
+        "fit");
+  check({"fit", "points/ball-scan.pcd", "--shape", "sphere", "--unit", "m", "--diameter", "25.4mm", "--noise", "20um",
+         "--robust", "--json", "-"},
+        "fit");
+  for (const char* list : {"inputs", "values", "outliers", "warnings", "covariance.matrix", "options.towards"}) {
+    EXPECT_TRUE(seen_.contains(std::string("fit.") + list)) << list << " was always empty";
+  }
+}
+
 }  // namespace
 }  // namespace artcal
