@@ -82,6 +82,12 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   known.recording = table.name("recording");
   known.parameters = table.texts("parameters");
   const auto rows = table.rows("covariance");
+  if (table.has("noise")) {
+    known.noise = table.number("noise");
+    if (*known.noise < 0.0) {
+      table.fail("noise", "the noise of a reading is below zero");
+    }
+  }
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
   const auto parameters = parameters_of(arm);
@@ -155,7 +161,11 @@ std::string identification_text(const ArmIdentification& known) {
   for (const auto& name : known.parameters) {
     text += toml_text(name) + ", ";
   }
-  text += "]\ncovariance = [\n";
+  text += "]\n";
+  if (known.noise) {
+    text += fmt::format("noise = {}  # mm, of a reading's coordinate\n", digits(*known.noise));
+  }
+  text += "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {
     text += "  [";
     for (const double value : row) {

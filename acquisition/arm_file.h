@@ -19,6 +19,7 @@ struct ArmIdentification {
   std::string recording;                ///< SHA-256 of the recording file it was identified from
   std::vector<std::string> parameters;  ///< names of the identified ones
   Eigen::MatrixXd covariance;           ///< of these, in mm and rad
+  std::optional<double> noise;          ///< standard deviation of a reading's coordinate, mm
 };
 
 /// An arm with what is known of it. Format: docs/files.md, "arm.toml".

@@ -83,6 +83,7 @@ std::string identified_arm_text(const Recording& recording, const Identification
     known.parameters.push_back(result.parameters[index].parameter.name);
   }
   known.covariance = result.covariance;
+  known.noise = result.noise * result.enlargement;
   return arm_file_text(result.arm, known);
 }
 

@@ -19,6 +19,8 @@ constexpr std::array commands{
     artcal::Command{"fit", "one feature from a file of points", artcal::set_up_fit},
     artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
     artcal::Command{"coupling", "what readings can tell of an arm, and what they cannot", artcal::set_up_coupling},
+    artcal::Command{"uncertainty", "how uncertain an identified arm's points and lengths are",
+                    artcal::set_up_uncertainty},
 };
 
 constexpr int wrong_usage = 2;

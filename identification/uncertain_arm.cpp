@@ -13,6 +13,10 @@ namespace artcal {
 UncertainArm::UncertainArm(Arm arm, UncertaintySources sources, int probe)
     : arm_(std::move(arm)), sources_(std::move(sources)), probe_(probe) {}
 
+UncertainArm UncertainArm::without_noise() const {
+  return {arm_, {sources_.parameters, sources_.covariance, 0.0, 0.0}, probe_};
+}
+
 UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
   const Sweep sweep(arm_, sources_.parameters, probe_);
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));

@@ -47,6 +47,9 @@ class UncertainArm {
   /// this centre, mm. REQUIRES: four tips or more, not all in one plane.
   [[nodiscard]] double of_diameter(std::span<const UncertainTip> tips, const Eigen::Vector3d& centre_in_base) const;
 
+  /// The same arm with readings that have no noise: what is left is the identification's.
+  [[nodiscard]] UncertainArm without_noise() const;
+
   [[nodiscard]] const Arm& arm() const { return arm_; }
   [[nodiscard]] int probe() const { return probe_; }
 

@@ -50,16 +50,20 @@ SpreadOfU spread_of(std::vector<double> values) {
   return spread;
 }
 
-SpreadOfU of_lengths(const UncertainArm& arm, double length, int count, std::uint64_t index, std::uint64_t seed) {
+LengthUncertainty of_lengths(const UncertainArm& arm, double length, int count, std::uint64_t index,
+                             std::uint64_t seed) {
   RandomStream random(seed, "lengths", index);
+  const UncertainArm quiet = arm.without_noise();
   std::vector<double> values;
+  std::vector<double> of_arm;
   for (int i = 0; i < count; ++i) {
     const UncertainTip first = arm.tip(random_posture(arm, random));
     if (const auto second = tip_at(arm, first.in_base + length * random.direction(), random)) {
       values.push_back(arm.of_length(first, *second));
+      of_arm.push_back(quiet.of_length(first, *second));
     }
   }
-  return spread_of(std::move(values));
+  return {length, spread_of(std::move(values)), spread_of(std::move(of_arm))};
 }
 
 // The pole, then rings of 4, 8, 4 and 8 points, each turned by 22.5 degrees against the one before.
@@ -135,8 +139,8 @@ WorkingVolume survey(const UncertainArm& arm, const VolumeSampling& sampling) {
   WorkingVolume volume;
   const double reach_of_arm = reach(arm.arm());
   for (const double share : {0.1, 0.2, 0.4, 2.0 / 3.0, 0.9}) {
-    const double length = share * reach_of_arm;
-    volume.lengths.push_back({length, of_lengths(arm, length, sampling.lengths, volume.lengths.size(), sampling.seed)});
+    volume.lengths.push_back(
+        of_lengths(arm, share * reach_of_arm, sampling.lengths, volume.lengths.size(), sampling.seed));
   }
   volume.sphere_diameter = of_diameters(arm, sampling);
   volume.map = map_of(arm, sampling);

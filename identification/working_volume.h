@@ -29,6 +29,7 @@ struct SpreadOfU {
 struct LengthUncertainty {
   double length = 0.0;  ///< mm
   SpreadOfU u;
+  SpreadOfU u_of_arm;  ///< the identification's share, without the noise of the two readings
 };
 
 /// One place of the map: all points at this distance from axis 1 and at this height above the base's origin.

@@ -121,5 +121,11 @@ TEST_F(ResultSchema, OfFits) {
   }
 }
 
+TEST_F(ResultSchema, OfUncertainties) {
+  take("ball-bar");
+  ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--no-leave-out"}).exit_code, 0);
+  check({"uncertainty", "arm.toml", "--json", "-", "--lengths", "5", "--rings", "2"}, "uncertainty_result");
+}
+
 }  // namespace
 }  // namespace artcal

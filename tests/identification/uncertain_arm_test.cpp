@@ -139,6 +139,7 @@ TEST(WorkingVolume, OfProbingNoiseAloneIsTheSameEverywhere) {
     EXPECT_GT(length.u.count, 0) << length.length;
     EXPECT_NEAR(length.u.rms, 0.003 * std::numbers::sqrt2, 1e-12);
     EXPECT_NEAR(length.u.maximum, 0.003 * std::numbers::sqrt2, 1e-12);
+    EXPECT_EQ(length.u_of_arm.maximum, 0.0);
   }
   int reached = 0;
   for (const auto& cell : volume.map) {

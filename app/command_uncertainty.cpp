@@ -1,0 +1,157 @@
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+#include "acquisition/arm_file.h"
+#include "app/command.h"
+#include "app/output.h"
+#include "app/uncertainty_result.h"
+#include "core/in_quotes.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  std::string arm;
+  std::string probe;
+  std::string encoder_noise, probing_noise;
+  VolumeSampling sampling;
+};
+
+Expected<double> noise_of(const std::string& text, const char* option,
+                          std::optional<double> (*quantity)(std::string_view), const char* example) {
+  if (text.empty()) {
+    return 0.0;
+  }
+  const auto value = quantity(text);
+  if (!value) {
+    return wrong_usage(
+        fmt::format("{} is {}, expected a number with its unit, such as \"{}\"", option, in_quotes(text), example));
+  }
+  return *value;
+}
+
+// Its columns have units of their own: only after each is measured in its own standard deviation does an
+// eigenvalue below zero mean something.
+bool is_covariance(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXd u = matrix.diagonal().cwiseMax(0.0).cwiseSqrt();
+  if (!matrix.allFinite() || (matrix.size() > 0 && !(u.minCoeff() > 0.0))) {
+    return false;
+  }
+  const Eigen::MatrixXd correlation = u.cwiseInverse().asDiagonal() * matrix * u.cwiseInverse().asDiagonal();
+  if (!correlation.isApprox(correlation.transpose(), 1e-9)) {
+    return false;
+  }
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation).eigenvalues();
+  return matrix.size() == 0 || eigenvalues.minCoeff() > -1e-9;
+}
+
+Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& file) {
+  if (!file.identification) {
+    return bad_input(
+        "this arm carries no covariance, so nothing is known of its uncertainty; `artcal identify RECORDING -o ARM` "
+        "writes one that does",
+        file.input.path);
+  }
+  if (!is_covariance(file.identification->covariance)) {
+    return bad_input(
+        "the covariance is none: it is not symmetric, or some combination of parameters has a variance "
+        "below zero",
+        file.input.path + ", [identified]");
+  }
+  UncertaintySources sources;
+  const auto all = parameters_of(file.arm);
+  for (const auto& name : file.identification->parameters) {
+    sources.parameters.push_back(all[find_parameter(all, name)]);
+  }
+  sources.covariance = file.identification->covariance;
+  const auto encoder = noise_of(request.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
+  const auto probing = noise_of(request.probing_noise, "--probing-noise", length_quantity, "3 um");
+  for (const auto* noise : {&encoder, &probing}) {
+    if (!*noise) {
+      return tl::unexpected(noise->error());
+    }
+  }
+  sources.encoder = *encoder;
+  sources.probing = *probing;
+  const bool is_stated = !request.encoder_noise.empty() || !request.probing_noise.empty();
+  if (!is_stated && !file.identification->noise) {
+    return wrong_usage(
+        "the arm's file does not say how noisy its readings are; state --encoder-noise and "
+        "--probing-noise, such as --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"");
+  }
+  if (!is_stated) {
+    sources.probing = *file.identification->noise;
+  }
+  return sources;
+}
+
+Expected<int> probe_of(const Request& request, const ArmFile& file) {
+  if (request.probe.empty()) {
+    return 0;
+  }
+  const int probe = probe_index(file.arm, request.probe);
+  if (probe < 0) {
+    return wrong_usage(fmt::format("the arm has no probe {}", in_quotes(request.probe)));
+  }
+  return probe;
+}
+
+Expected<int> survey_and_tell(const Request& request) {
+  const auto file = read_arm_file(request.arm);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const auto sources = sources_of(request, *file);
+  if (!sources) {
+    return tl::unexpected(sources.error());
+  }
+  const auto probe = probe_of(request, *file);
+  if (!probe) {
+    return tl::unexpected(probe.error());
+  }
+  if (auto checked = check_outputs({request.common.json}, {file->input}); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const UncertainArm arm(file->arm, *sources, *probe);
+  const SurveyResult result{*file, *sources, *probe, request.sampling, survey(arm, request.sampling)};
+  if (auto written = write_json(request.common.json, to_json(result)); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (request.common.talks()) {
+    fmt::print("{}", to_text(result));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run set_up_uncertainty(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("arm", request->arm, "an identified arm, as `artcal identify -o` writes it")
+      ->required()
+      ->type_name("ARM");
+  parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"");
+  parser.add_option("--probing-noise", request->probing_noise,
+                    "noise of the tip's coordinates beside the joints', such as \"3 um\"; without either, the noise "
+                    "that the identification found");
+  parser.add_option("--probe", request->probe, "the probe to measure with, where there are several")->type_name("NAME");
+  parser.add_option("--lengths", request->sampling.lengths, "random places for each length")
+      ->check(CLI::Range(1, 1'000'000));
+  parser.add_option("--rings", request->sampling.rings, "of the map of the volume")->check(CLI::Range(1, 100));
+  parser.add_option("--seed", request->sampling.seed, "of the random places and postures");
+  request->common.add_to(parser);
+  parser.footer(
+      "Example:\n  artcal identify examples/ball-bar/recording.toml -o arm.toml\n"
+      "  artcal uncertainty arm.toml --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"");
+  return [request] {
+    const auto done = survey_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "acquisition/arm_file.h"
+#include "identification/working_volume.h"
+
+namespace artcal {
+
+/// What `artcal uncertainty` found, and from what.
+struct SurveyResult {
+  ArmFile file;
+  UncertaintySources sources;
+  int probe = 0;
+  VolumeSampling sampling;
+  WorkingVolume volume;
+};
+
+nlohmann::ordered_json to_json(const SurveyResult& result);
+std::string to_text(const SurveyResult& result);
+
+}  // namespace artcal
