@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/result_head.h"
 #include "app/table.h"
-#include "app/version.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
 
@@ -64,13 +64,10 @@ std::string noise_text(const UncertaintySources& sources) {
 }  // namespace
 
 Json to_json(const SurveyResult& result) {
-  Json json;
-  json["schema_version"] = 1;
-  json["kind"] = "uncertainty";
-  json["program"] = {{"name", "artcal"}, {"version", program_version}};
+  Json json = result_head("uncertainty");
   json["arm"] = result.file.arm.name;
   json["probe"] = result.file.arm.probes[result.probe].name;
-  json["inputs"] = {{{"path", result.file.input.path}, {"sha256", result.file.input.sha256}}};
+  json["inputs"] = inputs_json({result.file.input});
   json["seed"] = result.sampling.seed;
   json["encoder_noise_rad"] = result.sources.encoder;
   json["probing_noise_mm"] = result.sources.probing;
