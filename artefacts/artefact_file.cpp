@@ -8,6 +8,7 @@
 #include "artefacts/artefact_values.h"
 #include "artefacts/certificate.h"
 #include "artefacts/consistency.h"
+#include "artefacts/dcc_read.h"
 #include "artefacts/distance_table.h"
 #include "artefacts/feature_table.h"
 #include "core/in_quotes.h"
@@ -146,18 +147,32 @@ void read_geometry(TomlTable& root, const ArtefactValues& values, Artefact& arte
   }
 }
 
-Artefact read_artefact(TomlTable& root, const std::filesystem::path& path) {
+Artefact read_artefact(TomlTable& root, const std::filesystem::path& path, const DccCertificate* dcc) {
   Artefact artefact;
   artefact.name = root.name_or("name", at_most(80, path.stem().string()));
   artefact.type = read_type(root);
   artefact.note = root.text_or("note", "");
   artefact.material = root.name_or("material", "");
   artefact.supports = root.name_or("supports", "");
-  artefact.certificate = read_certificate(root.table("certificate"));
+  artefact.certificate = read_certificate(root.table("certificate"), dcc != nullptr ? dcc->certificate : Certificate{});
   artefact.frame = read_frame(root);
   read_expansion(root, artefact);
-  read_geometry(root, read_values(root, artefact), artefact);
+  ArtefactValues values = read_values(root, artefact);
+  values.dcc = dcc;
+  read_geometry(root, values, artefact);
   return artefact;
+}
+
+// A certificate says what was measured, not which feature of the artefact each number is.
+tl::unexpected<Error> wants_an_artefact_file(const TextFile& file) {
+  const auto certificate = read_dcc(file);
+  if (!certificate) {
+    return tl::unexpected(certificate.error());
+  }
+  return bad_input(fmt::format("this is a digital certificate; write an artefact file with dcc = {} that says which "
+                               "feature each number belongs to (docs/files.md). It has: {}",
+                               in_quotes(file.path.filename().string()), list_of_quantities(*certificate)),
+                   file.path.string());
 }
 
 }  // namespace
@@ -167,11 +182,25 @@ Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
   if (!file) {
     return tl::unexpected(file.error());
   }
+  if (looks_like_xml(*file)) {
+    return wants_an_artefact_file(*file);
+  }
   auto document = TomlDocument::parse(*file, schema);
   if (!document) {
     return tl::unexpected(document.error());
   }
-  ArtefactFile result{read_artefact(document->root(), path), {path.string(), document->sha256()}};
+  TomlTable& root = document->root();
+  std::optional<DccCertificate> dcc;
+  if (root.is_text("dcc")) {
+    auto read = read_dcc_file(path.parent_path() / root.text("dcc"));
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    dcc = std::move(*read);
+  }
+  ArtefactFile result{read_artefact(root, path, dcc ? &*dcc : nullptr),
+                      {path.string(), document->sha256()},
+                      dcc ? std::optional(dcc->input) : std::nullopt};
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }

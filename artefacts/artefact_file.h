@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "acquisition/recording.h"
 #include "artefacts/artefact.h"
@@ -11,11 +12,11 @@ namespace artcal {
 struct ArtefactFile {
   Artefact artefact;
   InputFile input;
+  std::optional<InputFile> certificate;  ///< the digital certificate that it names
 };
 
-/// Reads artefact.toml. Format: docs/files.md. Refused: two features of one name, a distance that names
-/// an unknown feature, is there twice, has coordinates at one end only or contradicts those at both beyond
-/// its U, an uncertainty of zero.
+/// Reads artefact.toml, and the digital certificate that it names. Format: docs/files.md. Refused: what a certificate
+/// cannot say, and what contradicts itself (artefacts/consistency).
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path);
 
 }  // namespace artcal

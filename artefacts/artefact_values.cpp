@@ -120,12 +120,18 @@ double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values,
 
 std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                        const std::string& k_own, const std::optional<UncertaintyRule>& rule,
-                                       double length) {
+                                       double length, std::optional<double> certified) {
+  if (table.has(U_key) && rule) {
+    table.fail(U_key,
+               fmt::format("`{}` is stated here, and [uncertainty] has a rule for it; state one of them", U_key));
+  }
+  if (table.has(U_key) && certified) {
+    table.fail(U_key, fmt::format("`{}` is stated here, and the digital certificate has it; leave it out", U_key));
+  }
+  if (certified) {
+    return certified;
+  }
   if (table.has(U_key)) {
-    if (rule) {
-      table.fail(U_key,
-                 fmt::format("`{}` is stated here, and [uncertainty] has a rule for it; state one of them", U_key));
-    }
     return read_standard_uncertainty(table, values, U_key, k_own);
   }
   return rule ? std::optional(rule->standard_uncertainty(length)) : std::nullopt;

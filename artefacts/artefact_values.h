@@ -8,6 +8,8 @@
 
 namespace artcal {
 
+struct DccCertificate;
+
 /// An expanded uncertainty that depends on the length: U = a + b·L, or U = √(a² + (b·L)²).
 struct UncertaintyRule {
   double a = 0.0;           ///< mm, above zero
@@ -26,6 +28,7 @@ struct ArtefactValues {
   std::optional<double> expansion;  ///< 1/K
   double u_expansion = 0.0;         ///< 1/K
   std::optional<UncertaintyRule> at_rule, distance_rule, diameter_rule;
+  const DccCertificate* dcc = nullptr;  ///< the digital certificate that the file names, if it does
 };
 
 /// Reads [uncertainty]: rules for `at`, `distance` and `diameter`.
@@ -36,10 +39,11 @@ void read_rules(TomlTable table, ArtefactValues& values);
 double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                  const std::string& k_own = "k");
 
-/// U and k of a value, or what the file's rule says at `length`; nothing where there is neither. Both are an error.
+/// The standard uncertainty of a value: `certified`, which came along from a digital certificate; or U and k beside it;
+/// or what the file's rule says at `length`; nothing where there is none of them. Two of them are an error.
 std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                        const std::string& k_own, const std::optional<UncertaintyRule>& rule,
-                                       double length);
+                                       double length, std::optional<double> certified);
 
 /// A factor on lengths that were stated at a temperature of their own, and what it adds to their uncertainty.
 struct TemperatureConversion {

@@ -6,11 +6,24 @@
 
 namespace artcal {
 
-Certificate read_certificate(TomlTable table) {
+namespace {
+
+void check_same(TomlTable& table, std::string_view key, const std::string& stated, const std::string& digital) {
+  if (!digital.empty() && stated != digital) {
+    table.fail(key, fmt::format("`{}` is {}, but the digital certificate says {}; is it another certificate?", key,
+                                in_quotes(stated), in_quotes(digital)));
+  }
+}
+
+}  // namespace
+
+Certificate read_certificate(TomlTable table, const Certificate& digital) {
   Certificate certificate;
-  certificate.number = table.name_or("number", "");
-  certificate.laboratory = table.name_or("laboratory", "");
-  certificate.date = table.date_or("date", "");
+  certificate.number = table.name_or("number", digital.number);
+  certificate.laboratory = table.name_or("laboratory", digital.laboratory);
+  certificate.date = table.date_or("date", digital.date);
+  check_same(table, "number", certificate.number, digital.number);
+  check_same(table, "date", certificate.date, digital.date);
   certificate.valid_until = table.date_or("valid_until", "");
   if (!certificate.date.empty() && !certificate.valid_until.empty() && certificate.valid_until < certificate.date) {
     table.fail("valid_until", fmt::format("the certificate is valid until {}, which is before its calibration on {}",

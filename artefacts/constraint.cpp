@@ -285,6 +285,9 @@ Expected<Constraints> read_constraints(Recording& recording) {
       }
     }
     recording.inputs.push_back(file->input);
+    if (file->certificate) {
+      recording.inputs.push_back(*file->certificate);
+    }
     artefacts.push_back(std::move(file->artefact));
   }
   return build_constraints(recording, std::move(artefacts));

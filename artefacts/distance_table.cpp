@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "artefacts/length_values.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -41,13 +42,13 @@ void check_ends(TomlTable& table, std::string_view key, const CertifiedFeature& 
 
 CertifiedDistance make_distance(TomlTable& table, const char* value_key, const Artefact& artefact,
                                 const ArtefactValues& values, int first, int second, double value,
-                                const TemperatureConversion& conversion) {
-  CertifiedDistance distance{first, second, value * values.length * conversion.factor, 1.0};
+                                std::optional<double> certified, const TemperatureConversion& conversion) {
+  CertifiedDistance distance{first, second, value * conversion.factor, 1.0};
   if (distance.value <= 0.0) {
     table.fail(value_key, "a certified distance is not above zero");
     return distance;
   }
-  const auto u = read_uncertainty(table, values, "U", "k", values.distance_rule, distance.value);
+  const auto u = read_uncertainty(table, values, "U", "k", values.distance_rule, distance.value, certified);
   distance.u =
       std::hypot(u ? *u : read_standard_uncertainty(table, values, "U"), conversion.relative_u * distance.value);
   if (distance.u > 0.05 * distance.value) {
@@ -69,7 +70,8 @@ std::vector<CertifiedDistance> read_one(TomlTable& table, const Artefact& artefa
   if (ends.size() != 2) {
     return {};
   }
-  return {make_distance(table, "value", artefact, values, ends[0], ends[1], table.number("value"),
+  const LengthValues stated = read_length(table, "value", values);
+  return {make_distance(table, "value", artefact, values, ends[0], ends[1], stated.values.front(), stated.u_of(0),
                         read_conversion(table, values))};
 }
 
@@ -93,7 +95,8 @@ std::vector<CertifiedDistance> read_row(TomlTable& table, const Artefact& artefa
   const auto row = read_names(table, "along", artefact);
   const bool from_first = table.has("positions");
   const char* key = from_first ? "positions" : "steps";
-  const auto numbers = table.numbers(key);
+  const LengthValues stated = read_lengths(table, key, values);
+  const auto& numbers = stated.values;
   if (from_first && table.has("steps")) {
     table.fail("steps", "state `steps`, each to the next, or `positions`, each from the first, not both");
   }
@@ -110,8 +113,8 @@ std::vector<CertifiedDistance> read_row(TomlTable& table, const Artefact& artefa
                  fmt::format("the row names the feature {} twice", in_quotes(artefact.features[row[i + 1]].name)));
       return {};
     }
-    all.push_back(
-        make_distance(table, key, artefact, values, row[from_first ? 0 : i], row[i + 1], numbers[i], conversions[i]));
+    all.push_back(make_distance(table, key, artefact, values, row[from_first ? 0 : i], row[i + 1], numbers[i],
+                                stated.u_of(i), conversions[i]));
   }
   return all;
 }

@@ -1,11 +1,13 @@
 #include "artefacts/feature_table.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "artefacts/length_values.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -50,9 +52,15 @@ void read_place(TomlTable& table, const ArtefactValues& values, const Temperatur
                "a feature of the kind \"coordinates\" gets its place from each reading (ref_x, ref_y, ref_z), so "
                "it has no `at` of its own");
   }
-  feature.at = values.length * conversion.factor * read_vector(table, "at");
+  const LengthValues at = read_lengths(table, "at", values);
+  if (at.values.size() != 3) {
+    table.fail("at", fmt::format("`at` holds {} numbers, expected x, y and z", at.values.size()));
+    return;
+  }
+  feature.at = conversion.factor * Eigen::Vector3d::Map(at.values.data());
   const double length = feature.at->norm();
-  if (const auto u = read_uncertainty(table, values, "U_at", "k_at", values.at_rule, length)) {
+  const auto certified = at.u.empty() ? std::nullopt : std::optional(*std::max_element(at.u.begin(), at.u.end()));
+  if (const auto u = read_uncertainty(table, values, "U_at", "k_at", values.at_rule, length, certified)) {
     feature.u_at = std::hypot(*u, conversion.relative_u * length);
   }
 }
@@ -85,13 +93,15 @@ void read_diameter(TomlTable& table, const ArtefactValues& values, const Tempera
     }
     return;
   }
-  const double diameter = table.number("diameter") * values.length * conversion.factor;
+  const LengthValues stated = read_length(table, "diameter", values);
+  const double diameter = stated.values.front() * conversion.factor;
   if (diameter <= 0.0) {
     table.fail("diameter", "the diameter of a sphere is not above zero");
     return;
   }
   feature.radius = 0.5 * diameter;
-  if (const auto u = read_uncertainty(table, values, "U_diameter", "k_diameter", values.diameter_rule, diameter)) {
+  if (const auto u =
+          read_uncertainty(table, values, "U_diameter", "k_diameter", values.diameter_rule, diameter, stated.u_of(0))) {
     feature.u_radius = 0.5 * std::hypot(*u, conversion.relative_u * diameter);
     if (*u > 0.05 * diameter) {
       table.fail("U_diameter",
@@ -103,18 +113,19 @@ void read_diameter(TomlTable& table, const ArtefactValues& values, const Tempera
 }
 
 void read_form(TomlTable& table, const ArtefactValues& values, CertifiedFeature& feature) {
-  if (table.has("form")) {
-    feature.form = table.number("form") * values.length;
-    if (*feature.form < 0.0) {
-      table.fail("form", "a form deviation is a range of residuals and not below zero");
-    }
-  }
-  if (table.has("U_form")) {
-    feature.u_form = read_standard_uncertainty(table, values, "U_form", "k_form");
-    if (!feature.form) {
+  if (!table.has("form")) {
+    if (table.has("U_form")) {
       table.fail("U_form", "this is the uncertainty of a form deviation, but the feature has no `form`");
     }
+    return;
   }
+  const LengthValues stated = read_length(table, "form", values);
+  feature.form = stated.values.front();
+  if (*feature.form < 0.0) {
+    table.fail("form", "a form deviation is a range of residuals and not below zero");
+  }
+  feature.u_form =
+      read_uncertainty(table, values, "U_form", "k_form", std::nullopt, *feature.form, stated.u_of(0)).value_or(0.0);
 }
 
 }  // namespace
