@@ -1,5 +1,6 @@
 #include "app/result_json.h"
 
+#include "app/artefacts_told.h"
 #include "app/result_head.h"
 #include "identification/lost_text.h"
 
@@ -181,6 +182,8 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
                     {"features", constraints.features.size()},
                     {"placements", result.after.placements.size()},
                     {"artefacts", result.after.artefacts.size()}};
+  json["date"] = recording.date.empty() ? Json(nullptr) : Json(recording.date);
+  json["artefacts"] = artefacts_json(constraints.artefacts);
   json["coupling"] = coupling_json(result.coupling);
   json["parameters"] = parameters_json(result);
   json["covariance"] = covariance_json(result);

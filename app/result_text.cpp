@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/artefacts_told.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
@@ -54,9 +55,9 @@ Unseen unseen_of(const std::vector<LeftOut>& left_out) {
 }
 
 std::string title_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
-  return fmt::format("{}\narm {}: {}, {}, {}\n\n", shown(recording.name), in_quotes(recording.arm.name),
+  return fmt::format("{}\narm {}: {}, {}, {}\n{}\n", shown(recording.name), in_quotes(recording.arm.name),
                      plural(recording.readings.size(), "reading"), plural(constraints.features.size(), "feature"),
-                     plural(result.after.placements.size(), "placement"));
+                     plural(result.after.placements.size(), "placement"), artefacts_text(constraints.artefacts));
 }
 
 std::string summary_text(const Identification& result) {

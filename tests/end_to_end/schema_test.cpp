@@ -99,6 +99,10 @@ TEST_F(ResultSchema, OfIdentifications) {
     EXPECT_TRUE(seen_.contains(std::string("identification.") + list)) << list << " was always empty";
   }
   check({"identify", "ball-bar/recording.toml", "--json", "-"}, "identification");
+  write("ball-bar/bar.toml",
+        "type = \"ball bar\"\ncertificate = { number = \"1\", date = 2026-03-02 }\n" + text_of("ball-bar/bar.toml"));
+  write("ball-bar/recording.toml", "date = 2026-03-10\n" + text_of("ball-bar/recording.toml"));
+  check({"identify", "ball-bar/recording.toml", "--json", "-", "--no-leave-out"}, "identification");
 }
 
 TEST_F(ResultSchema, OfCouplings) {

@@ -1,0 +1,116 @@
+#include "app/dcc_identification.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "app/artefacts_told.h"
+#include "app/version.h"
+#include "identification/lost_text.h"
+
+namespace artcal {
+namespace {
+
+constexpr double k = 2.0;
+constexpr double probability = 0.95;
+constexpr const char* millimetre = "\\milli\\metre";
+constexpr const char* radian = "\\radian";
+
+const char* unit_of(const IdentifiedParameter& parameter) {
+  return parameter.parameter.is_angle() ? radian : millimetre;
+}
+
+DccEntry plain_entry(const std::string& name, double value) {
+  return {name, "", millimetre, value, std::nullopt, std::nullopt, ""};
+}
+
+DccResult identified_parameters(const Identification& result) {
+  DccResult section{"Identified parameters",
+                    "Denavit-Hartenberg parameters of the arm. U is expanded with k = 2. They are correlated: combine "
+                    "them with their covariance, which stands in the program's own files, not one by one.",
+                    {}};
+  for (const IdentifiedParameter& p : result.parameters) {
+    if (p.state == ParameterState::Identified) {
+      section.entries.push_back({p.parameter.name, "artcal_parameterIdentified", unit_of(p), p.identified,
+                                 DccUncertainty{k * p.u, k, probability}, std::nullopt, ""});
+    }
+  }
+  return section;
+}
+
+DccResult kept_parameters(const Identification& result) {
+  DccResult section{"Parameters kept at their nominal value",
+                    "Kept by request or because the readings cannot tell them; no uncertainty is stated.",
+                    {}};
+  for (const IdentifiedParameter& p : result.parameters) {
+    if (p.state != ParameterState::Identified) {
+      section.entries.push_back(
+          {p.parameter.name, "artcal_parameterKept", unit_of(p), p.identified, std::nullopt, std::nullopt, ""});
+    }
+  }
+  return section;
+}
+
+DccResult deviations(const Identification& result) {
+  return {"Deviations of the readings",
+          "Of the same readings that the parameters were identified from. New readings may be further off.",
+          {plain_entry("rms before", result.before.overall.rms), plain_entry("rms after", result.after.overall.rms),
+           plain_entry("largest before", result.before.overall.maximum),
+           plain_entry("largest after", result.after.overall.maximum)}};
+}
+
+DccResult lengths(const Identification& result) {
+  DccResult section{"Errors of certified lengths, measured minus certified", "With the identified arm.", {}};
+  for (const LengthDeviation& length : result.after.lengths) {
+    section.entries.push_back(plain_entry(fmt::format("{}, placement {}: {} to {}", length.first.artefact,
+                                                      length.first.placement, length.first.feature, length.second),
+                                          length.error));
+  }
+  return section;
+}
+
+std::vector<std::string> statements_of(const Recording& recording, const Constraints& constraints,
+                                       const Identification& result) {
+  std::vector<std::string> statements;
+  for (const InputFile& input : recording.inputs) {
+    statements.push_back(fmt::format("Input with the SHA-256 {}: {}", input.sha256, input.path));
+  }
+  for (const Artefact& artefact : constraints.artefacts) {
+    statements.push_back("Artefact: " + artefact_in_words(artefact));
+  }
+  for (const ParameterMotion& motion : result.coupling.lost) {
+    statements.push_back("The readings cannot tell everything: " + lost_in_words(result.coupling, motion));
+  }
+  for (const std::string& warning : result.warnings) {
+    statements.push_back("Warning: " + warning);
+  }
+  return statements;
+}
+
+DccMethod method_of(const Recording& recording, const Identification& result) {
+  return {
+      "Identification of kinematic parameters",
+      fmt::format("Weighted least squares on {} readings on calibrated artefacts ({} Denavit-Hartenberg convention). "
+                  "Noise of a reading {} mm a coordinate, {}; chi-squared {} with {} degrees of freedom. Standard "
+                  "uncertainties by linear propagation; they take the model as true.",
+                  recording.readings.size(), recording.arm.convention == Convention::Standard ? "standard" : "modified",
+                  result.noise, result.noise_is_given ? "as stated" : "estimated from the residuals",
+                  result.chi_squared, result.degrees_of_freedom)};
+}
+
+}  // namespace
+
+DccDocument dcc_of(const Recording& recording, const Constraints& constraints, const Identification& result,
+                   const DccData& data) {
+  DccDocument document{
+      data, program_version, statements_of(recording, constraints, result), {method_of(recording, result)}, {}};
+  for (DccResult& section :
+       std::array{identified_parameters(result), kept_parameters(result), deviations(result), lengths(result)}) {
+    if (!section.entries.empty()) {
+      document.results.push_back(std::move(section));
+    }
+  }
+  return document;
+}
+
+}  // namespace artcal
