@@ -76,7 +76,8 @@ TEST_F(Certificates, AnIdentifiedArmBecomesOneThatIsValidAndSaysTheSame) {
   ASSERT_TRUE(certificate) << certificate.error().text();
   EXPECT_EQ(certificate->certificate.number, "K-2026-017");
   int identified = 0;
-  for (const Json& parameter : Json::parse(text_of("r.json"))["parameters"]) {
+  const Json result = Json::parse(text_of("r.json"));
+  for (const Json& parameter : result["parameters"]) {
     const auto quantity = find_quantity(*certificate, parameter["name"].get<std::string>());
     ASSERT_TRUE(quantity) << quantity.error().text();
     EXPECT_EQ(quantity->values.at(0), parameter["identified"].get<double>());
