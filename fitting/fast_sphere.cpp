@@ -72,8 +72,14 @@ Sphere moved(const Sphere& at, const Eigen::Vector4d& step) {
 
 struct Bottom {
   Sphere sphere;
-  Eigen::Matrix4d inverse;  // of the Hessian
+  Eigen::Matrix4d inverse;  // of the Hessian; nothing for a radius that is known
   int steps;
+};
+
+// Points that tell the radius too leave no doubt on which side of them a sphere of known radius is.
+struct Inverse {
+  Eigen::Matrix4d matrix;
+  bool well_spread;
 };
 
 bool well_spread(const Eigen::Matrix4d& inverse, double count) {
@@ -81,18 +87,30 @@ bool well_spread(const Eigen::Matrix4d& inverse, double count) {
   return std::isfinite(inverse.sum()) && inverse.norm() * count < 1.0 / plain && inverse.diagonal().minCoeff() > 0.0;
 }
 
+Inverse inverse_of(const Eigen::Matrix4d& h, double count, bool radius_is_known) {
+  Inverse inverse{h.inverse(), false};
+  inverse.well_spread = well_spread(inverse.matrix, count);
+  if (radius_is_known) {
+    inverse.matrix.setZero();
+    inverse.matrix.topLeftCorner<3, 3>() = h.topLeftCorner<3, 3>().inverse();
+  }
+  return inverse;
+}
+
 // Newton's method; each step leaves its own square of the way.
-std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin, const Sphere& start) {
+std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin, const Sphere& start,
+                             bool radius_is_known) {
   constexpr int max_steps = 20;
   const auto count = static_cast<double>(points.cols());
   Bottom bottom{start, {}, 0};
   while (bottom.steps < max_steps) {
     Sphere& at = bottom.sphere;
     const SphereSums sums = sphere_sums(view_of(points, origin, at));
-    bottom.inverse = hessian(sums, at.radius, count).inverse();
+    const Inverse inverse = inverse_of(hessian(sums, at.radius, count), count, radius_is_known);
+    bottom.inverse = inverse.matrix;
     const Eigen::Vector4d step = bottom.inverse * downhill(sums.gradient);
     const double relative = step.cwiseAbs().maxCoeff() / at.radius;
-    if (!well_spread(bottom.inverse, count) || !(relative < 0.5)) {
+    if (!inverse.well_spread || !(relative < 0.5)) {
       return std::nullopt;
     }
     at = moved(at, step);
@@ -109,7 +127,7 @@ std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin
 // slope that all points have at the start (Shamir, Srebro, Zhang 2014), stands in for theirs: what is left
 // after that is the part's error, 1/√m, in a term that is of second order itself.
 std::optional<Bottom> newton_by_part(const Points& points, const Points& part, const Eigen::Vector3d& origin,
-                                     const Sphere& start) {
+                                     const Sphere& start, bool radius_is_known) {
   constexpr int max_steps = 20;
   const auto count = static_cast<double>(points.cols());
   const double share = count / static_cast<double>(part.cols());
@@ -117,8 +135,9 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   const SphereSums some = sphere_sums(view_of(part, origin, start));
   const Eigen::Matrix4d bend = hessian(all, start.radius, count);
   const Eigen::Matrix4d lacking = bend - share * hessian(some, start.radius, static_cast<double>(part.cols()));
-  Bottom bottom{start, bend.inverse(), 1};
-  if (!well_spread(bottom.inverse, count)) {
+  const Inverse inverse = inverse_of(bend, count, radius_is_known);
+  Bottom bottom{start, inverse.matrix, 1};
+  if (!inverse.well_spread) {
     return std::nullopt;
   }
   Eigen::Vector4d way = bottom.inverse * downhill(all.gradient);
@@ -143,20 +162,23 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   return bottom;
 }
 
-std::optional<Bottom> descend(const Points& points, const Eigen::Vector3d& origin) {
+std::optional<Bottom> descend(const Points& points, const Eigen::Vector3d& origin, std::optional<double> radius) {
   if (points.cols() < thin_above) {
-    const auto start = linear_start(points, origin);
-    return start ? newton(points, origin, *start) : std::nullopt;
+    auto start = linear_start(points, origin);
+    if (start && radius) {
+      start->radius = *radius;
+    }
+    return start ? newton(points, origin, *start, radius.has_value()) : std::nullopt;
   }
   const Eigen::Matrix3Xd part = part_of(points);
-  const auto start = descend(part, origin);
-  return start ? newton_by_part(points, part, origin, start->sphere) : std::nullopt;
+  const auto start = descend(part, origin, radius);
+  return start ? newton_by_part(points, part, origin, start->sphere, radius.has_value()) : std::nullopt;
 }
 
 bool is_plain(const Points& points, const FitOptions& options) {
   constexpr Eigen::Index fewest = 6;
   return points.cols() >= fewest && points.outerStride() == 3 && options.criterion == Criterion::LeastSquares &&
-         options.weights.size() == 0 && !options.fixed_radius;
+         options.weights.size() == 0 && !(options.fixed_radius && options.tip_radius > 0.0);
 }
 
 }  // namespace
@@ -171,7 +193,7 @@ std::optional<Fitted<Sphere>> fit_plain_sphere(const Points& points, const FitOp
     origin += points.col(i);
   }
   origin /= static_cast<double>((points.cols() + some - 1) / some);
-  const auto bottom = descend(points, origin);
+  const auto bottom = descend(points, origin, options.fixed_radius);
   if (!bottom) {
     return std::nullopt;
   }
@@ -182,7 +204,7 @@ std::optional<Fitted<Sphere>> fit_plain_sphere(const Points& points, const FitOp
   fitted.feature = {origin + bottom->sphere.centre, bottom->sphere.radius};
   fitted.form = residuals.high - residuals.low;
   fitted.rms = std::sqrt(residuals.dd / count);
-  fitted.degrees_of_freedom = static_cast<int>(points.cols()) - Sphere::parameter_count;
+  fitted.degrees_of_freedom = static_cast<int>(points.cols()) - (options.fixed_radius ? 3 : 4);
   fitted.noise = options.noise.value_or(std::sqrt(residuals.dd / fitted.degrees_of_freedom));
   fitted.covariance = *fitted.noise * *fitted.noise * bottom->inverse;
   fitted.steps = bottom->steps;

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "fitting/segmentation/voxel_grid.h"
+
+namespace artcal::segmentation {
+
+/// Where the centres of spheres of this radius may be, one column a vote, about grid.origin(): each patch of
+/// surface (a cube with its neighbours) votes for the two points that lie from its centroid along its normal
+/// at √(R² − trace of the patch's covariance), which for a piece of a sphere is exact. The patches of a sphere
+/// agree, those of a plane or a cylinder do not. Patches flatter than a sphere of that radius can be have no vote.
+Eigen::Matrix3Xd centre_votes(const VoxelGrid& grid, double radius);
+
+struct VotePeak {
+  Eigen::Vector3d centre;  ///< mean of the votes that agree, about the same origin
+  int votes = 0;
+};
+
+/// Places where at least `fewest` votes lie within `radius`/5, strongest first, no two nearer than `radius`.
+std::vector<VotePeak> vote_peaks(const Eigen::Matrix3Xd& votes, double radius, int fewest);
+
+}  // namespace artcal::segmentation
