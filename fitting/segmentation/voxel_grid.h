@@ -38,6 +38,12 @@ class VoxelGrid {
   [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }
   [[nodiscard]] const Moments& moments(std::size_t cube) const { return moments_[cube]; }  ///< about origin()
 
+  /// Columns of the cube's points, ascending; none in a coarsened grid.
+  [[nodiscard]] std::span<const std::uint32_t> points_in(std::size_t cube) const {
+    return order_.empty() ? std::span<const std::uint32_t>()
+                          : std::span(order_).subspan(first_[cube], first_[cube + 1] - first_[cube]);
+  }
+
   /// The moments of each cube together with its 26 neighbours.
   [[nodiscard]] std::vector<Moments> neighbourhoods() const;
   /// Cubes of twice the edge; they know no points.
