@@ -19,6 +19,7 @@ constexpr std::array commands{
     artcal::Command{"fit", "one feature from a file of points", artcal::set_up_fit},
     artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
     artcal::Command{"coupling", "what readings can tell of an arm, and what they cannot", artcal::set_up_coupling},
+    artcal::Command{"segment", "find an artefact's spheres and planes in a scan", artcal::set_up_segment},
     artcal::Command{"uncertainty", "how uncertain an identified arm's points and lengths are",
                     artcal::set_up_uncertainty},
 };

@@ -11,10 +11,10 @@ namespace artcal::segmentation {
 namespace {
 
 constexpr int fewest_points = 10;
-constexpr double least_coverage = 0.03;    // a cap of 20 degrees around its pole
-constexpr double most_noise = 0.04;        // of the radius
-constexpr double most_unevenness = 0.005;  // of the radius: no ball is that far from round
-constexpr double least_share = 0.3;        // of the points next to the surface
+constexpr double least_coverage = 0.03;      // a cap of 20 degrees around its pole
+constexpr double most_noise = 0.04;          // of the radius
+constexpr double most_out_of_round = 0.004;  // of the radius: no ball is that far from round
+constexpr double least_share = 0.3;          // of the points next to the surface
 
 std::string at(const Eigen::Vector3d& p) { return fmt::format("({:.1f}, {:.1f}, {:.1f})", p.x(), p.y(), p.z()); }
 
@@ -115,17 +115,18 @@ std::optional<tl::expected<FoundSphere, RejectedSphere>> examine(const Points& p
     found.u_seen_radius = free->covariance ? std::sqrt(std::max(0.0, (*free->covariance)(3, 3))) : 0.0;
     const double allowed = search.radius_tolerance * radius + 4.0 * found.u_seen_radius;
     if (std::abs(found.seen_radius - radius) > allowed) {
-      return trial.rejected(free->feature.centre, surface.count, RejectionReason::WrongRadius,
-                            fmt::format("a sphere of radius {:.4g} mm at {}, wanted is {:.4g} mm", found.seen_radius,
-                                        at(free->feature.centre), radius));
+      const Trial seen{points, found.seen_radius, search};
+      return seen.rejected(free->feature.centre, surface.count, RejectionReason::WrongRadius,
+                           fmt::format("a sphere of radius {:.4g} mm at {}, wanted is {:.4g} mm", found.seen_radius,
+                                       at(free->feature.centre), radius));
     }
   }
-  if (surface.unevenness > most_unevenness * radius && surface.unevenness > surface.settled.noise) {
+  if (const double leaves = out_of_round(local, surface, radius); leaves > most_out_of_round * radius) {
     return trial.rejected(
         middle, surface.count, RejectionReason::NotASphere,
         fmt::format("the surface about {} leaves a sphere of radius {:.4g} mm by {:.2g} mm from place to "
-                    "place: something else that is round (stem, cylinder)",
-                    at(middle), radius, surface.unevenness));
+                    "place: something else that is round (stem, cylinder, cone)",
+                    at(middle), radius, leaves));
   }
   FitOptions options;
   if (search.fixed_radius) {

@@ -9,7 +9,7 @@ namespace artcal {
 namespace {
 
 constexpr std::size_t most_ways = 1000;
-constexpr long most_steps = 20'000'000;
+constexpr long most_steps = 3'000'000;
 
 Expected<void> check(const Pattern& pattern, const std::vector<PlaceHint>& hints) {
   const auto count = static_cast<Eigen::Index>(pattern.radii.size());

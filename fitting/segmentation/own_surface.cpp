@@ -99,6 +99,28 @@ Eigen::Vector3d fitted_centre(const Eigen::Matrix3Xd& points, const std::vector<
   return centre;
 }
 
+// The part of the sphere whose cells hold points.
+double share_seen(const Eigen::Matrix3Xd& points, const Surface& surface, double points_per_cell) {
+  const DirectionCells cells(std::clamp(static_cast<int>(std::sqrt(surface.count / (6.0 * points_per_cell))), 1, 64));
+  std::vector<char> seen(cells.size(), 0);
+  for (std::size_t i = 0; i < surface.is_own.size(); ++i) {
+    if (surface.is_own[i] != 0) {
+      seen[cells.cell_of(points.col(static_cast<Eigen::Index>(i)) - surface.settled.centre)] = 1;
+    }
+  }
+  double share = 0.0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    share += seen[c] != 0 ? cells.share(c) : 0.0;
+  }
+  return share;
+}
+
+// Six points in each cell that is seen: hardly one between points is empty, and the border is followed closely.
+double coverage_of(const Eigen::Matrix3Xd& points, const Surface& surface) {
+  constexpr double per_cell = 6.0;
+  return share_seen(points, surface, per_cell * share_seen(points, surface, per_cell));
+}
+
 }  // namespace
 
 Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double radius) {
@@ -131,18 +153,10 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
     const Typical typical = typical_of(cells, noise);
     std::vector<char> is_own(count, 0);
     std::vector<double> own_distances;
-    surface.coverage = 0.0;
-    double means = 0.0, judged = 0.0;
     std::vector<char> clean(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c) {
       clean[c] = is_clean(cells[c], typical) ? 1 : 0;
-      surface.coverage += clean[c] != 0 ? directions.share(c) : 0.0;
-      if (clean[c] != 0 && cells[c].own >= telling_count) {
-        means += cells[c].mean() * cells[c].mean() - cells[c].variance() / cells[c].own;
-        judged += 1.0;
-      }
     }
-    surface.unevenness = judged > 0.0 ? std::sqrt(std::max(0.0, means / judged)) : 0.0;
     for (std::size_t i = 0; i < count; ++i) {
       const double d = std::abs(distances(static_cast<Eigen::Index>(i)));
       if (clean[cell_of[i]] != 0 && d <= own_limit * noise) {
@@ -165,6 +179,7 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
     }
     surface.settled.noise = std::max(1e-12 * radius, 1.4826 * median_or(own_distances, noise));
   }
+  surface.coverage = coverage_of(points, surface);
   return surface;
 }
 

@@ -23,13 +23,16 @@ struct Surface {
   std::vector<char> is_own;  ///< one a point
   int count = 0;             ///< of them
   Settled settled;
-  double coverage = 0.0;    ///< share of the sphere that they cover
-  double unevenness = 0.0;  ///< standard deviation, over the sphere, of what distances have in common locally, mm
+  double coverage = 0.0;  ///< share of the sphere that they cover
 };
 
 /// A point is the sphere's own if it lies within four standard deviations of it, and if the cell of directions
 /// it lies in shows the sphere and nothing else: where another surface comes in (stem, table) or where readings
 /// scatter (edges, mixed pixels), part of what is foreign lies within the noise and would pull the centre.
 Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double radius);
+
+/// How far the surface is from round beyond what noise makes of it: the root mean square of the part of the distances
+/// that a quadric would explain (an ellipsoid, a cylinder, a cone that touches), mm; 0 where that part may be chance.
+double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, double radius);
 
 }  // namespace artcal::segmentation

@@ -1,0 +1,44 @@
+#include "app/segment_result.h"
+
+#include <cmath>
+
+namespace artcal {
+
+const std::string& sphere_name(const SegmentResult& result, std::size_t sphere) {
+  return result.artefact.features[static_cast<std::size_t>(result.wanted.spheres[sphere])].name;
+}
+
+const std::string& plane_name(const SegmentResult& result, std::size_t plane) {
+  return result.artefact.features[static_cast<std::size_t>(result.wanted.planes[plane])].name;
+}
+
+std::vector<std::string> missing_names(const SegmentResult& result) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < result.wanted.spheres.size(); ++i) {
+    if (i >= result.segmentation.spheres.size() || !result.segmentation.spheres[i]) {
+      names.push_back(sphere_name(result, i));
+    }
+  }
+  for (std::size_t i = result.segmentation.planes.size(); i < result.wanted.planes.size(); ++i) {
+    names.push_back(plane_name(result, i));
+  }
+  return names;
+}
+
+std::vector<SeenDistance> seen_distances(const SegmentResult& result) {
+  std::vector<SeenDistance> distances;
+  const auto& spheres = result.segmentation.spheres;
+  const Eigen::MatrixXd& certified = result.wanted.contents.distances;
+  for (int i = 0; i < static_cast<int>(certified.rows()); ++i) {
+    for (int j = i + 1; j < static_cast<int>(certified.cols()); ++j) {
+      const auto& a = spheres[static_cast<std::size_t>(i)];
+      const auto& b = spheres[static_cast<std::size_t>(j)];
+      if (a && b && std::isfinite(certified(i, j))) {
+        distances.push_back({i, j, certified(i, j), (a->fitted.feature.centre - b->fitted.feature.centre).norm()});
+      }
+    }
+  }
+  return distances;
+}
+
+}  // namespace artcal

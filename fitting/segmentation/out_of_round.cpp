@@ -1,0 +1,62 @@
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "fitting/segmentation/surface_points.h"
+
+namespace artcal::segmentation {
+namespace {
+
+constexpr int terms = 9;
+using Row = Eigen::Matrix<double, terms, 1>;
+using Square = Eigen::Matrix<double, terms, terms>;
+
+// Spherical harmonics up to the second degree, but for their factors: radius, centre, and what is neither.
+Row harmonics(const Eigen::Vector3d& u) {
+  Row row;
+  row << 1.0, u.x(), u.y(), u.z(), u.x() * u.y(), u.y() * u.z(), u.z() * u.x(), u.x() * u.x() - u.y() * u.y(),
+      3.0 * u.z() * u.z() - 1.0;
+  return row;
+}
+
+// What the sum of squares loses by a fit of the rows: bᵀ·A⁺·b.
+double explained(const Square& normal, const Row& pull) {
+  const Eigen::SelfAdjointEigenSolver<Square> eigen(normal);
+  const double least = 1e-10 * eigen.eigenvalues()(terms - 1);
+  double squares = 0.0;
+  for (int i = 0; i < terms; ++i) {
+    if (eigen.eigenvalues()(i) > least) {
+      squares += std::pow(eigen.eigenvectors().col(i).dot(pull), 2) / eigen.eigenvalues()(i);
+    }
+  }
+  return squares;
+}
+
+}  // namespace
+
+double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, double radius) {
+  constexpr double beyond_chance = 6.0;  // F with 9 degrees of freedom: one in thousands, also with few points
+  Square normal = Square::Zero();
+  Row pull = Row::Zero();
+  double squares = 0.0;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (surface.is_own[static_cast<std::size_t>(i)] != 0) {
+      const Eigen::Vector3d way = points.col(i) - surface.settled.centre;
+      const double d = way.norm() - radius;
+      const Row row = harmonics(way.normalized());
+      normal.noalias() += row * row.transpose();
+      pull += d * row;
+      squares += d * d;
+    }
+  }
+  const int freedom = surface.count - terms;
+  if (freedom <= 0) {
+    return 0.0;
+  }
+  const double part = explained(normal, pull);
+  const double variance = std::max(0.0, squares - part) / freedom;
+  const bool may_be_chance = part <= beyond_chance * terms * variance;
+  return may_be_chance ? 0.0 : std::sqrt(std::max(0.0, part - terms * variance) / surface.count);
+}
+
+}  // namespace artcal::segmentation
