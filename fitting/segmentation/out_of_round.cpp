@@ -19,14 +19,15 @@ Row harmonics(const Eigen::Vector3d& u) {
   return row;
 }
 
-// What the sum of squares loses by a fit of the rows: bᵀ·A⁺·b.
-double explained(const Square& normal, const Row& pull) {
-  const Eigen::SelfAdjointEigenSolver<Square> eigen(normal);
-  const double least = 1e-10 * eigen.eigenvalues()(terms - 1);
+// What the sum of squares loses by a fit of the first `count` harmonics: bᵀ·A⁺·b.
+double explained(const Square& normal, const Row& pull, int count) {
+  const Eigen::MatrixXd some = normal.topLeftCorner(count, count);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(some);
+  const double least = 1e-10 * eigen.eigenvalues()(count - 1);
   double squares = 0.0;
-  for (int i = 0; i < terms; ++i) {
+  for (int i = 0; i < count; ++i) {
     if (eigen.eigenvalues()(i) > least) {
-      squares += std::pow(eigen.eigenvectors().col(i).dot(pull), 2) / eigen.eigenvalues()(i);
+      squares += std::pow(eigen.eigenvectors().col(i).dot(pull.head(count)), 2) / eigen.eigenvalues()(i);
     }
   }
   return squares;
@@ -35,7 +36,9 @@ double explained(const Square& normal, const Row& pull) {
 }  // namespace
 
 double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, double radius) {
-  constexpr double beyond_chance = 6.0;  // F with 9 degrees of freedom: one in thousands, also with few points
+  constexpr int round_terms = 4;
+  constexpr int other_terms = terms - round_terms;
+  constexpr double beyond_chance = 8.0;  // F with 5 degrees of freedom: one in thousands, also with few points
   Square normal = Square::Zero();
   Row pull = Row::Zero();
   double squares = 0.0;
@@ -53,10 +56,11 @@ double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, doub
   if (freedom <= 0) {
     return 0.0;
   }
-  const double part = explained(normal, pull);
-  const double variance = std::max(0.0, squares - part) / freedom;
-  const bool may_be_chance = part <= beyond_chance * terms * variance;
-  return may_be_chance ? 0.0 : std::sqrt(std::max(0.0, part - terms * variance) / surface.count);
+  const double all = explained(normal, pull, terms);
+  const double part = all - explained(normal, pull, round_terms);
+  const double variance = std::max(0.0, squares - all) / freedom;
+  const bool may_be_chance = part <= beyond_chance * other_terms * variance;
+  return may_be_chance ? 0.0 : std::sqrt(std::max(0.0, part - other_terms * variance) / surface.count);
 }
 
 }  // namespace artcal::segmentation
