@@ -1,5 +1,5 @@
+#include "app/result_head.h"
 #include "app/segment_result.h"
-#include "app/version.h"
 
 namespace artcal {
 namespace {
@@ -76,15 +76,9 @@ Json rejected_json(const RejectedSphere& rejected) {
 }  // namespace
 
 nlohmann::ordered_json to_json(const SegmentResult& result) {
-  Json json;
-  json["schema_version"] = 1;
-  json["kind"] = "segmentation";
-  json["program"] = {{"name", "artcal"}, {"version", program_version}};
+  Json json = result_head("segmentation");
   json["artefact"] = result.artefact.name;
-  json["inputs"] = Json::array();
-  for (const InputFile& input : result.inputs) {
-    json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
-  }
+  json["inputs"] = inputs_json(result.inputs);
   json["seed"] = nullptr;
   json["options"] = options_json(result);
   json["points"] = result.points;

@@ -146,7 +146,8 @@ TEST_F(Fit, WrongUsageIsExplained) {
   refused({"--shape", "plane", "--unit", "mm", "--diameter", "1mm"}, "a fixed radius is for a sphere");
   refused({"--shape", "plane", "--unit", "mm", "--tip-diameter", "1mm"}, "needs the direction");
   refused({"--shape", "line", "--unit", "mm", "--criterion", "minimum-zone"}, "there is no minimum zone line");
-  refused({"--shape", "sphere", "--unit", "mm", "--criterion", "minimum-zone", "--robust"}, "a robust fit is a least-squares fit");
+  refused({"--shape", "sphere", "--unit", "mm", "--criterion", "minimum-zone", "--robust"},
+          "a robust fit is a least-squares fit");
   refused({"--shape", "sphere", "--unit", "mm", "--inside"}, "state its --tip-diameter");
   refused({"--shape", "sphere", "--unit", "mm", "--spatial"}, "--spatial is for a circle");
   refused({"--shape", "sphere", "--unit", "mm", "--towards", "1,2"}, "three numbers");

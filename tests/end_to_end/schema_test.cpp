@@ -105,6 +105,19 @@ TEST_F(ResultSchema, OfIdentifications) {
   check({"identify", "ball-bar/recording.toml", "--json", "-", "--no-leave-out"}, "identification");
 }
 
+TEST_F(ResultSchema, OfSegmentations) {
+  take("ball-bar-scan");
+  check({"segment", "ball-bar-scan/scan.xyz", "--artefact", "ball-bar-scan/bar.toml", "--unit", "mm", "--json", "-"},
+        "segmentation");
+  for (const char* list : {"inputs", "spheres", "spheres[].rows", "distances", "rejected"}) {
+    EXPECT_TRUE(seen_.contains(std::string("segmentation.") + list)) << list << " was always empty";
+  }
+  write("table.toml", text_of("ball-bar-scan/bar.toml") + "\n[[feature]]\nname = \"table\"\nkind = \"plane\"\n");
+  check({"segment", "ball-bar-scan/scan.xyz", "--artefact", "table.toml", "--unit", "mm", "--json", "-"},
+        "segmentation");
+  EXPECT_TRUE(seen_.contains("segmentation.planes"));
+}
+
 TEST_F(ResultSchema, OfCouplings) {
   take("two-socket-bar");
   check({"coupling", "two-socket-bar/recording.toml", "--json", "-", "--free", "d7"}, "coupling_result");

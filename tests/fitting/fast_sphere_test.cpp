@@ -48,6 +48,24 @@ TEST(FastSphere, HalfABallAndAThirdOfOne) {
   }
 }
 
+TEST(FastSphere, OfKnownRadius) {
+  for (const int count : {6, 25, 1000, 20'000, 200'003}) {
+    SCOPED_TRACE(count);
+    const auto points = moved(a_motion(), Shape<Sphere>::points(count, 0.01));
+    FitOptions options;
+    options.fixed_radius = Shape<Sphere>::truth().radius + 0.003;
+    const auto fast = fitting::fit_plain_sphere(points, options);
+    ASSERT_TRUE(fast.has_value());
+    options.weights = Eigen::VectorXd::Ones(points.cols());
+    const auto slow = fit<Sphere>(points, options).value();
+    EXPECT_LT((fast->feature.centre - slow.feature.centre).norm(), 1e-12);
+    EXPECT_EQ(fast->feature.radius, *options.fixed_radius);
+    EXPECT_EQ(fast->degrees_of_freedom, slow.degrees_of_freedom);
+    EXPECT_NEAR(*fast->noise, *slow.noise, 1e-12);
+    EXPECT_LT((*fast->covariance - *slow.covariance).norm(), 0.01 * slow.covariance->norm());
+  }
+}
+
 TEST(FastSphere, LeavesWhatIsNotPlainToTheGeneralFit) {
   auto points = Shape<Sphere>::points(50, 0.01);
   FitOptions options;
