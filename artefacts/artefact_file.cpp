@@ -7,10 +7,8 @@
 #include "artefacts/artefact_type.h"
 #include "artefacts/artefact_values.h"
 #include "artefacts/certificate.h"
-#include "artefacts/consistency.h"
 #include "artefacts/dcc_read.h"
-#include "artefacts/distance_table.h"
-#include "artefacts/feature_table.h"
+#include "artefacts/geometry_tables.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
@@ -21,8 +19,6 @@ namespace {
 
 constexpr std::string_view schema = "artcal-artefact/1";
 constexpr std::size_t most_bytes = std::size_t{16} << 20;
-constexpr std::size_t most_features = 1000;
-constexpr std::size_t most_distances = 5000;
 
 ArtefactType read_type(TomlTable& root) {
   if (!root.has("type")) {
@@ -87,64 +83,6 @@ ArtefactValues read_values(TomlTable& root, const Artefact& artefact) {
   values.u_expansion = artefact.u_expansion;
   read_rules(root.table("uncertainty"), values);
   return values;
-}
-
-bool too_many(TomlTable& root, const char* key, std::size_t count, std::size_t most) {
-  if (count > most) {
-    root.fail(key, fmt::format("the artefact has {} tables [[{}]], more than the {} that are read", count, key, most));
-  }
-  return count > most;
-}
-
-void check_names(const Artefact& artefact, TomlTable& root) {
-  if (artefact.features.empty()) {
-    root.fail("feature", "the artefact has no feature, expected at least one table headed [[feature]]");
-  }
-  for (std::size_t i = 0; i < artefact.features.size(); ++i) {
-    if (artefact.feature_index(artefact.features[i].name) != static_cast<int>(i)) {
-      root.fail("feature", fmt::format("two features are called {}; give each its own name",
-                                       in_quotes(artefact.features[i].name)));
-    }
-  }
-}
-
-void note(const Contradiction& found, std::vector<TomlTable>& features, std::vector<TomlTable>& distances,
-          const std::vector<std::size_t>& table_of) {
-  if (found.of == Contradiction::Of::Feature) {
-    TomlTable& table = features[found.index];
-    table.fail(table.has("at") ? "at" : "kind", found.message);
-    return;
-  }
-  TomlTable& table = distances[table_of[found.index]];
-  const char* ends = table.has("along") ? "along" : "between";
-  table.fail(found.of == Contradiction::Of::Ends || !table.has("value") ? ends : "value", found.message);
-}
-
-// Reads the tables, and refuses what they say of one another where they say it.
-void read_geometry(TomlTable& root, const ArtefactValues& values, Artefact& artefact) {
-  auto features = root.tables("feature");
-  auto distances = root.tables("distance");
-  if (too_many(root, "feature", features.size(), most_features) ||
-      too_many(root, "distance", distances.size(), most_distances)) {
-    return;
-  }
-  for (auto& table : features) {
-    artefact.features.push_back(read_feature(table, values));
-  }
-  check_names(artefact, root);
-  if (artefact.features.empty()) {
-    return;
-  }
-  std::vector<std::size_t> table_of;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    for (const auto& distance : read_distances(distances[i], artefact, values)) {
-      artefact.distances.push_back(distance);
-      table_of.push_back(i);
-    }
-  }
-  if (const auto found = find_contradiction(artefact)) {
-    note(*found, features, distances, table_of);
-  }
 }
 
 Artefact read_artefact(TomlTable& root, const std::filesystem::path& path, const DccCertificate* dcc) {

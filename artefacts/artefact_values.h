@@ -21,6 +21,9 @@ struct UncertaintyRule {
   [[nodiscard]] double standard_uncertainty(double length) const;
 };
 
+/// No artefact is larger; what seems to be is in another unit. mm.
+constexpr double largest_length = 1e5;
+
 /// What all values of one artefact file are read with.
 struct ArtefactValues {
   double length = 1.0;  ///< the file's unit, mm

@@ -48,6 +48,10 @@ CertifiedDistance make_distance(TomlTable& table, const char* value_key, const A
     table.fail(value_key, "a certified distance is not above zero");
     return distance;
   }
+  if (!(distance.value <= largest_length)) {
+    table.fail(value_key, fmt::format("a certified distance of {:.6g} mm; is it in the wrong unit?", distance.value));
+    return distance;
+  }
   const auto u = read_uncertainty(table, values, "U", "k", values.distance_rule, distance.value, certified);
   distance.u =
       std::hypot(u ? *u : read_standard_uncertainty(table, values, "U"), conversion.relative_u * distance.value);

@@ -59,6 +59,10 @@ void read_place(TomlTable& table, const ArtefactValues& values, const Temperatur
   }
   feature.at = conversion.factor * Eigen::Vector3d::Map(at.values.data());
   const double length = feature.at->norm();
+  if (!(length <= largest_length)) {
+    table.fail("at", fmt::format("the point is {:.6g} mm from the origin; is it in the wrong unit?", length));
+    return;
+  }
   const auto certified = at.u.empty() ? std::nullopt : std::optional(*std::max_element(at.u.begin(), at.u.end()));
   if (const auto u = read_uncertainty(table, values, "U_at", "k_at", values.at_rule, length, certified)) {
     feature.u_at = std::hypot(*u, conversion.relative_u * length);
@@ -95,8 +99,9 @@ void read_diameter(TomlTable& table, const ArtefactValues& values, const Tempera
   }
   const LengthValues stated = read_length(table, "diameter", values);
   const double diameter = stated.values.front() * conversion.factor;
-  if (diameter <= 0.0) {
-    table.fail("diameter", "the diameter of a sphere is not above zero");
+  if (diameter <= 0.0 || !(diameter <= largest_length)) {
+    table.fail("diameter", diameter <= 0.0 ? "the diameter of a sphere is not above zero"
+                                           : fmt::format("a ball of {:.6g} mm; is it in the wrong unit?", diameter));
     return;
   }
   feature.radius = 0.5 * diameter;

@@ -76,6 +76,14 @@ TEST_F(RecordingFile, ReadsWhatIsOptional) {
   EXPECT_EQ(recording->identify.loss, "huber");
 }
 
+TEST_F(RecordingFile, TheDateIsADayOrNotStated) {
+  EXPECT_EQ(read()->date, "");
+  example.recording = "date = 2026-03-10\n" + example.recording;
+  EXPECT_EQ(read()->date, "2026-03-10");
+  example.recording = testing::replaced(example.recording, "2026-03-10", "\"2026-02-31\"");
+  EXPECT_THAT(refusal(), HasSubstr("`date` is \"2026-02-31\", expected a day of the calendar"));
+}
+
 TEST_F(RecordingFile, NoiseIsAQuantityWithItsUnit) {
   example.recording += "[noise]\nreading = \"15 um\"\n";
   EXPECT_DOUBLE_EQ(*read()->noise.reading, 0.015);
