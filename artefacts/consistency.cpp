@@ -105,35 +105,36 @@ std::optional<std::string> contradiction_of_ends(const Artefact& artefact, const
 /// Distances as a graph: from each feature to others.
 using Graph = std::vector<std::vector<int>>;
 
-// The shortest way between the ends of a distance that does not use it: length and variance. No way is
-// followed that is longer than `limit`.
-std::pair<double, double> way_round(const Artefact& artefact, const Graph& graph, int without, double limit) {
+// The shortest way between the ends of a distance that is shorter than it: length and variance.
+std::pair<double, double> way_round(const Artefact& artefact, const Graph& graph, const CertifiedDistance& distance) {
   using Stop = std::pair<double, int>;
   const double far = std::numeric_limits<double>::infinity();
   std::vector<double> length(artefact.features.size(), far);
   std::vector<double> variance(artefact.features.size(), 0.0);
   std::priority_queue<Stop, std::vector<Stop>, std::greater<>> next;
-  const int target = artefact.distances[without].second;
-  length[artefact.distances[without].first] = 0.0;
-  next.emplace(0.0, artefact.distances[without].first);
+  length[distance.first] = 0.0;
+  next.emplace(0.0, distance.first);
   while (!next.empty()) {
     const auto [so_far, feature] = next.top();
     next.pop();
-    if (feature == target || so_far > length[feature]) {
+    if (feature == distance.second) {
+      break;
+    }
+    if (so_far > length[feature]) {
       continue;
     }
     for (const int i : graph[feature]) {
       const CertifiedDistance& step = artefact.distances[i];
       const int to = step.first == feature ? step.second : step.first;
       const double longer = so_far + step.value;
-      if (i != without && longer < length[to] && longer < limit) {
+      if (longer < length[to] && longer < distance.value) {
         length[to] = longer;
         variance[to] = variance[feature] + step.u * step.u;
         next.emplace(longer, to);
       }
     }
   }
-  return {length[target], variance[target]};
+  return {length[distance.second], variance[distance.second]};
 }
 
 std::optional<Contradiction> find_impossible_distance(const Artefact& artefact) {
@@ -150,7 +151,7 @@ std::optional<Contradiction> find_impossible_distance(const Artefact& artefact) 
   }
   for (std::size_t i = 0; i < artefact.distances.size(); ++i) {
     const CertifiedDistance& distance = artefact.distances[i];
-    const auto [way, variance] = way_round(artefact, graph, static_cast<int>(i), distance.value);
+    const auto [way, variance] = way_round(artefact, graph, distance);
     if (distance.value > way + k * std::sqrt(variance + distance.u * distance.u)) {
       return at_distance(
           i, fmt::format("the certified distance between {} is {} mm, but the other distances lead from one "

@@ -43,16 +43,16 @@ class ArtefactValuesTest : public ::testing::Test {
 
 TEST_F(ArtefactValuesTest, ReadsUncertaintiesInTheFilesUnitAndInTheirOwn) {
   const Artefact artefact = accepted("name = \"plate\"", "");
-  EXPECT_DOUBLE_EQ(artefact.features[0].u_at, 0.002);
-  EXPECT_DOUBLE_EQ(artefact.features[0].u_radius, 0.00025) << "half of U/k of the diameter";
-  EXPECT_EQ(artefact.features[1].u_at, 0.0) << "not stated";
-  EXPECT_DOUBLE_EQ(artefact.distances[0].u, 0.001);
+  EXPECT_DOUBLE_EQ(artefact.features.at(0).u_at, 0.002);
+  EXPECT_DOUBLE_EQ(artefact.features.at(0).u_radius, 0.00025) << "half of U/k of the diameter";
+  EXPECT_EQ(artefact.features.at(1).u_at, 0.0) << "not stated";
+  EXPECT_DOUBLE_EQ(artefact.distances.at(0).u, 0.001);
 }
 
 TEST_F(ArtefactValuesTest, TakesAFactorOfItsOwnBeforeTheCommonOne) {
   const Artefact artefact = accepted("k = 2\n[[feature]]", "k = 2\nk_at = 4\n[[feature]]");
-  EXPECT_DOUBLE_EQ(artefact.features[0].u_at, 0.001);
-  EXPECT_DOUBLE_EQ(artefact.features[0].u_radius, 0.00025);
+  EXPECT_DOUBLE_EQ(artefact.features.at(0).u_at, 0.001);
+  EXPECT_DOUBLE_EQ(artefact.features.at(0).u_radius, 0.00025);
 }
 
 TEST_F(ArtefactValuesTest, EvaluatesRulesAtEachLength) {
@@ -66,7 +66,7 @@ TEST_F(ArtefactValuesTest, EvaluatesRulesAtEachLength) {
                      "\", a = \"0.4 um\", b = \"2 um/m\", k = 2 }\n[[distance]]\nbetween = [\"A\", "
                      "\"B\"]\nvalue = 500.002\n");
     ASSERT_EQ(artefact.distances.size(), 1u) << rule;
-    EXPECT_NEAR(artefact.distances[0].u, u, 1e-15) << rule;
+    EXPECT_NEAR(artefact.distances.at(0).u, u, 1e-15) << rule;
   }
 }
 
@@ -106,7 +106,7 @@ TEST_F(ArtefactValuesTest, RefusesUncertaintiesThatAreNone) {
 
 TEST_F(ArtefactValuesTest, ConvertsWhatHoldsAtAnotherTemperature) {
   const Artefact artefact = accepted("value = 500.002", "value = 500.007\ntemperature_C = 21");
-  EXPECT_NEAR(artefact.distances[0].value, 500.007 / (1.0 + 10e-6), 1e-12);
+  EXPECT_NEAR(artefact.distances.at(0).value, 500.007 / (1.0 + 10e-6), 1e-12);
   EXPECT_THAT(refusal("value = 500.002", "value = 500.002\ntemperature_C = 220"),
               HasSubstr("220 degC is no temperature"));
   const std::string without = replaced(std::string(plate), "expansion_per_K = 10e-6\n", "");
@@ -121,7 +121,7 @@ TEST_F(ArtefactValuesTest, AddsTheDoubtOfTheExpansionToConvertedValues) {
   const auto file = read(replaced(known, "value = 500.002", "value = 500.007\ntemperature_C = 21"));
   ASSERT_TRUE(file) << file.error().text();
   EXPECT_DOUBLE_EQ(file->artefact.u_expansion, 2e-6);
-  EXPECT_NEAR(file->artefact.distances[0].u, std::hypot(0.001, 500.002 * 2e-6), 1e-8);
+  EXPECT_NEAR(file->artefact.distances.at(0).u, std::hypot(0.001, 500.002 * 2e-6), 1e-8);
 }
 
 TEST_F(ArtefactValuesTest, RefusesExpansionUncertaintiesThatAreNone) {
@@ -146,14 +146,14 @@ TEST_F(ArtefactValuesTest, ReadsRowsOfDistances) {
   const auto steps = read(row("steps = [100, 200]\ntemperatures_C = [20, 21]\n"));
   ASSERT_TRUE(steps) << steps.error().text();
   ASSERT_EQ(steps->artefact.distances.size(), 2u);
-  EXPECT_EQ(steps->artefact.distances[0].value, 100.0);
-  EXPECT_EQ(steps->artefact.distances[1].first, 1);
-  EXPECT_NEAR(steps->artefact.distances[1].value, 200.0 / 1.00001, 1e-12);
+  EXPECT_EQ(steps->artefact.distances.at(0).value, 100.0);
+  EXPECT_EQ(steps->artefact.distances.at(1).first, 1);
+  EXPECT_NEAR(steps->artefact.distances.at(1).value, 200.0 / 1.00001, 1e-12);
   const auto positions = read(row("positions = [100, 300]\n"));
   ASSERT_TRUE(positions) << positions.error().text();
-  EXPECT_EQ(positions->artefact.distances[1].first, 0);
-  EXPECT_EQ(positions->artefact.distances[1].second, 2);
-  EXPECT_EQ(positions->artefact.distances[1].value, 300.0);
+  EXPECT_EQ(positions->artefact.distances.at(1).first, 0);
+  EXPECT_EQ(positions->artefact.distances.at(1).second, 2);
+  EXPECT_EQ(positions->artefact.distances.at(1).value, 300.0);
   EXPECT_THAT(read(row("steps = [100]\n")).error().text(), HasSubstr("there are 1 values along 3 features"));
   EXPECT_THAT(read(row("steps = [100, 200]\npositions = [100, 300]\n")).error().text(), HasSubstr("not both"));
   EXPECT_THAT(read(row("steps = [100, 200]\ntemperatures_C = [20]\n")).error().text(),
