@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
 // ---- what is none of the ball's ------------------------------------------------------------------------------
 
 TEST(FindSpheres, StemsDoNotPull) {
-  ScanSettings settings = bar(12.7, 0.01, 1.2, 0.3);
+  ScanSettings settings = bar(12.7, 0.1, 1.2, 0.3);
   settings.missing = 0.0;
   settings.mixed = 0.0;
   settings.views = 3;
@@ -135,7 +135,7 @@ TEST(FindSpheres, StemsDoNotPull) {
     std::vector<int> shared;
     std::set_intersection(stems.begin(), stems.end(), sphere.points.begin(), sphere.points.end(),
                           std::back_inserter(shared));
-    EXPECT_LT(shared.size(), 4u);
+    EXPECT_LT(static_cast<double>(shared.size()), 0.002 * static_cast<double>(sphere.points.size()));
   }
 }
 
@@ -146,13 +146,14 @@ TEST(FindSpheres, ABallOnTheTableItTouches) {
   Eigen::Matrix3Xd points(3, ball.cols() + 20'000);
   points.leftCols(ball.cols()) = ball;
   for (Eigen::Index i = ball.cols(); i < points.cols(); ++i) {
-    points.col(i) << random.uniform(-40.0, 40.0), random.uniform(-40.0, 40.0), 0.01 * random.normal();
+    points.col(i) << random.uniform(-8.0, 8.0), random.uniform(-8.0, 8.0), 0.01 * random.normal();
   }
   const auto result = find_spheres(points, {{radius}}).value();
   ASSERT_THAT(result.spheres, SizeIs(1));
   EXPECT_LT((result.spheres[0].fitted.feature.centre - Eigen::Vector3d(0.0, 0.0, radius)).norm(), 0.001);
   const auto& own = result.spheres[0].points;
-  EXPECT_LT(own.end() - std::lower_bound(own.begin(), own.end(), ball.cols()), 5);
+  const auto of_the_table = own.end() - std::lower_bound(own.begin(), own.end(), ball.cols());
+  EXPECT_LT(static_cast<double>(of_the_table), 0.01 * static_cast<double>(own.size()));
   EXPECT_GT(own.size(), 5500u);
 }
 
