@@ -1,8 +1,7 @@
 #include "acquisition/cloud_builder.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -45,8 +44,7 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 // A unit that is wrong by 1000 or 25.4 shows in how much room the points take.
-std::optional<std::string> unlikely_size(const Eigen::Matrix3Xd& points) {
-  const double span = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
+std::optional<std::string> unlikely_size(double span) {
   if (span >= 0.1 && span <= 1e6) {
     return std::nullopt;
   }
@@ -54,8 +52,7 @@ std::optional<std::string> unlikely_size(const Eigen::Matrix3Xd& points) {
 }
 
 // A float has 24 bits: half of the last one is what a coordinate may be off.
-std::optional<std::string> coarse_storage(const Eigen::Matrix3Xd& points) {
-  const double largest = points.cwiseAbs().maxCoeff();
+std::optional<std::string> coarse_storage(double largest) {
   const double rounding = largest * 0x1p-24;
   if (rounding <= 1e-3) {
     return std::nullopt;
@@ -106,7 +103,9 @@ CloudBuilder::CloudBuilder(const CloudUnits& units, std::size_t columns, std::si
   if (columns > 3) {
     joints_.resize(static_cast<Eigen::Index>(columns) - 3, static_cast<Eigen::Index>(most_records));
   }
-  rows_.reserve(most_records);
+  rows_.resize(most_records);
+  low_.fill(std::numeric_limits<double>::infinity());
+  high_.fill(-std::numeric_limits<double>::infinity());
 }
 
 Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std::string> warnings) && {
@@ -120,9 +119,16 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
   if (size_ != points_.cols()) {
     points_.conservativeResize(3, size_);
     joints_.conservativeResize(joints_.rows(), joints_.rows() == 0 ? 0 : size_);
+    rows_.resize(static_cast<std::size_t>(size_));
     rows_.shrink_to_fit();
   }
-  if (size_ > 1 && (points_.colwise() - points_.col(0)).isZero(0.0)) {
+  double span = 0.0;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    span = std::max(span, high_[i] - low_[i]);
+    largest = std::max({largest, high_[i], -low_[i]});
+  }
+  if (size_ > 1 && span == 0.0) {
     return bad_input(fmt::format("all {} points are the same, ({:.6g}, {:.6g}, {:.6g}) mm; nothing was scanned", size_,
                                  points_(0, 0), points_(1, 0), points_(2, 0)),
                      name);
@@ -134,10 +140,10 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
     cloud.warnings.push_back(
         fmt::format("{} of {} points are NaN or infinite and were dropped", cloud.dropped, records_));
   }
-  if (auto unlikely = size_ > 1 ? unlikely_size(cloud.points) : std::nullopt) {
+  if (auto unlikely = size_ > 1 ? unlikely_size(span) : std::nullopt) {
     cloud.warnings.push_back(*unlikely);
   }
-  if (auto coarse = single_precision_ ? coarse_storage(cloud.points) : std::nullopt) {
+  if (auto coarse = single_precision_ ? coarse_storage(largest) : std::nullopt) {
     cloud.warnings.push_back(*coarse);
   }
   return cloud;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -40,7 +42,11 @@ class CloudBuilder {
       finite = finite && std::isfinite(value);
     }
     if (finite) {
-      rows_.push_back(records_);
+      for (int i = 0; i < 3; ++i) {
+        low_[i] = std::min(low_[i], points_(i, size_));
+        high_[i] = std::max(high_[i], points_(i, size_));
+      }
+      rows_[static_cast<std::size_t>(size_)] = records_;
       ++size_;
     }
     ++records_;
@@ -58,6 +64,7 @@ class CloudBuilder {
   Eigen::MatrixXd joints_;
   std::vector<int> rows_;
   Eigen::Index size_ = 0;
+  std::array<double, 3> low_, high_;  // of the coordinates, mm
   int records_ = 0;
   bool single_precision_ = false;
 };

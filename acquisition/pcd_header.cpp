@@ -9,27 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/cloud_formats.h"
-#include "acquisition/text_rows.h"
+#include "acquisition/pcd_entries.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::array<std::string_view, 11> keywords{"VERSION", "FIELDS", "COLUMNS",   "SIZE",   "TYPE", "COUNT",
-                                                    "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
-constexpr std::size_t longest_line = 65536;
 constexpr std::size_t largest_record = 65536;
 constexpr std::size_t most_points = std::numeric_limits<int>::max();
-
-using Words = std::vector<std::string_view>;
-
-/// The lines of a header by their keyword; `at` says where each stands.
-struct Entry {
-  Words values;
-  std::string where;
-};
-using Entries = std::map<std::string_view, Entry>;
 
 Expected<std::size_t> whole_number(std::string_view word, std::string_view keyword, const std::string& where) {
   std::uint64_t value = 0;
@@ -40,8 +27,8 @@ Expected<std::size_t> whole_number(std::string_view word, std::string_view keywo
   return static_cast<std::size_t>(value);
 }
 
-Expected<std::size_t> single_number(const Entries& entries, std::string_view keyword) {
-  const Entry& entry = entries.at(keyword);
+Expected<std::size_t> single_number(const PcdEntries& entries, std::string_view keyword) {
+  const PcdEntry& entry = entries.at(keyword);
   if (entry.values.size() != 1) {
     return bad_input(fmt::format("{} has {} values, expected one", keyword, entry.values.size()), entry.where);
   }
@@ -58,9 +45,9 @@ std::optional<NumberType> number_type(std::string_view type, std::string_view si
   return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-Expected<void> read_fields(const Entries& entries, PcdHeader& header) {
+Expected<void> read_fields(const PcdEntries& entries, PcdHeader& header) {
   const std::string_view names = entries.contains("COLUMNS") ? "COLUMNS" : "FIELDS";
-  const Entry& entry = entries.at(names);
+  const PcdEntry& entry = entries.at(names);
   for (const std::string_view keyword : {"SIZE", "TYPE", "COUNT"}) {
     if (entries.contains(keyword) && entries.at(keyword).values.size() != entry.values.size()) {
       return bad_input(fmt::format("{} has {} values for {} fields, expected one each", keyword,
@@ -106,7 +93,7 @@ Expected<void> read_fields(const Entries& entries, PcdHeader& header) {
   return {};
 }
 
-Expected<void> read_counts(const Entries& entries, const std::string& path, PcdHeader& header) {
+Expected<void> read_counts(const PcdEntries& entries, const std::string& path, PcdHeader& header) {
   if (!entries.contains("WIDTH") && !entries.contains("POINTS")) {
     return bad_input("the header says neither WIDTH nor POINTS, expected the number of points", path);
   }
@@ -136,11 +123,11 @@ Expected<void> read_counts(const Entries& entries, const std::string& path, PcdH
   return {};
 }
 
-Expected<void> read_viewpoint(const Entries& entries, PcdHeader& header) {
+Expected<void> read_viewpoint(const PcdEntries& entries, PcdHeader& header) {
   if (!entries.contains("VIEWPOINT")) {
     return {};
   }
-  const Entry& entry = entries.at("VIEWPOINT");
+  const PcdEntry& entry = entries.at("VIEWPOINT");
   for (const std::string_view word : entry.values) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -155,8 +142,8 @@ Expected<void> read_viewpoint(const Entries& entries, PcdHeader& header) {
   return {};
 }
 
-Expected<void> read_data(const Entries& entries, PcdHeader& header) {
-  const Entry& entry = entries.at("DATA");
+Expected<void> read_data(const PcdEntries& entries, PcdHeader& header) {
+  const PcdEntry& entry = entries.at("DATA");
   const std::string_view kind = entry.values.size() == 1 ? entry.values.front() : std::string_view{};
   if (kind != "ascii" && kind != "binary" && kind != "binary_compressed") {
     std::string found;
@@ -172,50 +159,11 @@ Expected<void> read_data(const Entries& entries, PcdHeader& header) {
   return {};
 }
 
-// The header's lines, up to and with DATA.
-Expected<Entries> read_entries(std::string_view bytes, const std::string& path, PcdHeader& header) {
-  Entries entries;
-  std::size_t start = 0;
-  while (start < bytes.size() && !entries.contains("DATA")) {
-    const std::size_t end = bytes.substr(start, longest_line).find('\n');
-    const std::string where = fmt::format("{}:{}", path, ++header.lines);
-    if (end == std::string_view::npos && bytes.size() - start > longest_line) {
-      return bad_input("a line of the header does not end, expected PCD", where);
-    }
-    const std::string_view line = bytes.substr(start, end);
-    start = end == std::string_view::npos ? bytes.size() : start + end + 1;
-    Words words = words_of(line);
-    if (words.empty() || words.front().starts_with('#')) {
-      continue;
-    }
-    const std::string_view keyword = words.front();
-    if (std::find(keywords.begin(), keywords.end(), keyword) == keywords.end()) {
-      return bad_input(fmt::format("found {}, expected a line of a PCD header such as FIELDS, SIZE, TYPE or DATA",
-                                   in_quotes(keyword)),
-                       where);
-    }
-    words.erase(words.begin());
-    if (!entries.emplace(keyword, Entry{std::move(words), where}).second) {
-      return bad_input(fmt::format("{} is there twice", keyword), where);
-    }
-  }
-  header.body = start;
-  for (const std::string_view keyword : {"SIZE", "TYPE", "DATA"}) {
-    if (!entries.contains(keyword)) {
-      return bad_input(fmt::format("the header has no line {}", keyword), path);
-    }
-  }
-  if (entries.contains("FIELDS") == entries.contains("COLUMNS")) {
-    return bad_input("expected one line FIELDS (or COLUMNS) that names what a point has", path);
-  }
-  return entries;
-}
-
-Expected<void> check_version(const Entries& entries) {
+Expected<void> check_version(const PcdEntries& entries) {
   if (!entries.contains("VERSION")) {
     return {};
   }
-  const Entry& entry = entries.at("VERSION");
+  const PcdEntry& entry = entries.at("VERSION");
   const std::string_view version = entry.values.size() == 1 ? entry.values.front() : std::string_view{};
   for (const std::string_view known : {".7", "0.7", ".6", "0.6", ".5", "0.5"}) {
     if (version == known) {
@@ -227,25 +175,14 @@ Expected<void> check_version(const Entries& entries) {
 
 }  // namespace
 
-bool looks_like_pcd(std::string_view bytes) {
-  std::size_t start = 0;
-  while (start < bytes.size() && start < longest_line) {
-    const std::size_t end = std::min(bytes.substr(0, longest_line).find('\n', start), bytes.size());
-    const Words words = words_of(bytes.substr(start, end - start));
-    if (!words.empty() && !words.front().starts_with('#')) {
-      return std::find(keywords.begin(), keywords.end(), words.front()) != keywords.end();
-    }
-    start = end + 1;
-  }
-  return false;
-}
-
 Expected<PcdHeader> read_pcd_header(std::string_view bytes, const std::string& path) {
-  PcdHeader header;
-  const auto entries = read_entries(bytes, path, header);
+  const auto entries = read_pcd_entries(bytes, path);
   if (!entries) {
     return tl::unexpected(entries.error());
   }
+  PcdHeader header;
+  header.body = entries->body;
+  header.lines = entries->lines;
   return check_version(*entries)
       .and_then([&] { return read_data(*entries, header); })
       .and_then([&] { return read_fields(*entries, header); })

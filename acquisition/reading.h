@@ -21,6 +21,7 @@ class Labels {
  private:
   std::vector<std::string> names_;
   std::unordered_map<std::string, int> index_;
+  int last_ = 0;  // what was asked for last: rows come in runs of one label
 };
 
 /// One reading's labels and whatever was read beside the joints. The joint angles themselves stand in

@@ -45,6 +45,9 @@ std::string at_most(std::size_t characters, std::string_view text) {
 
 std::optional<ControlCharacter> find_control(std::string_view utf8) {
   for (std::size_t i = 0; i < utf8.size(); ++i) {
+    if (utf8[i] >= 0x20 && utf8[i] < 0x7f) {
+      continue;  // nearly every character of nearly every file
+    }
     if (const ControlCharacter found = control_at(utf8, i); found.length > 0) {
       return found;
     }

@@ -1,6 +1,8 @@
 #include "core/text_file.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,9 +39,24 @@ std::size_t character_length(std::string_view text) {
   return beyond ? 0 : length;
 }
 
+constexpr std::size_t ascii_step = sizeof(std::uint64_t);
+
+// Whether the next eight bytes are there and ASCII: nearly all of nearly every file.
+bool is_ascii(std::string_view text, std::size_t at) {
+  std::uint64_t bytes = ~std::uint64_t{0};
+  if (text.size() - at >= ascii_step) {
+    std::memcpy(&bytes, text.data() + at, ascii_step);
+  }
+  return (bytes & 0x8080808080808080u) == 0;
+}
+
 // Offset of the first byte that is not UTF-8, or npos.
 std::size_t find_not_utf8(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
+    if (is_ascii(text, i)) {
+      i += ascii_step;
+      continue;
+    }
     const std::size_t length = character_length(text.substr(i));
     if (length == 0) {
       return i;
