@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/pcl_sphere.h"
 #include "core/random.h"
 #include "fitting/fit.h"
 #include "fitting/robust.h"
@@ -65,6 +66,23 @@ void fit_points(benchmark::State& state, const Eigen::Matrix3Xd& points) {
     benchmark::DoNotOptimize(fitted);
   }
 }
+
+// The peer, on the same points about their centroid, which floats need, and from a start 0.1 mm off.
+void sphere_by_pcl(benchmark::State& state) {
+  Eigen::Matrix3Xd points = half_ball(state.range(0));
+  const Eigen::Vector3d centroid = points.rowwise().mean();
+  points.colwise() -= centroid;
+  const PclSphere pcl(points);
+  const Eigen::Vector3d truth = Eigen::Vector3d(500.0, 300.0, -200.0) - centroid;
+  const Eigen::Vector4d start(truth.x() + 0.1, truth.y() - 0.1, truth.z() + 0.1, 12.8);
+  Eigen::Vector4f refined;
+  for (auto _ : state) {
+    refined = pcl.refine(start.cast<float>());
+    benchmark::DoNotOptimize(refined);
+  }
+  state.counters["off_um"] = 1e3 * (refined.head<3>().cast<double>() - truth).norm();
+}
+BENCHMARK(sphere_by_pcl)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
 
 void sphere(benchmark::State& state) { fit_points<Sphere>(state, half_ball(state.range(0))); }
 BENCHMARK(sphere)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
