@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct Joint {
   double theta = 0.0;  ///< offset of the encoder's zero
   double alpha = 0.0;
   double beta = 0.0;
-  double sign = 1.0;      ///< +1, or -1 where the encoder counts against the axis
-  bool has_beta = false;  ///< β is a parameter of this joint
+  double sign = 1.0;                                ///< +1, or -1 where the encoder counts against the axis
+  bool has_beta = false;                            ///< β is a parameter of this joint
+  std::optional<double> lowest = {}, highest = {};  ///< readings at the ends of its travel, where they are stated
 };
 
 /// What is mounted on the last joint. `tip_in_last` is the centre of the tip ball (or the point of a

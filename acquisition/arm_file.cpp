@@ -38,6 +38,14 @@ Joint read_joint(TomlTable table, double length, double angle) {
   if (joint.sign != 1.0 && joint.sign != -1.0) {
     table.fail("sign", fmt::format("the sign of a joint is {}, expected 1 or -1", joint.sign));
   }
+  const auto end_at = [&](std::string_view key) {
+    return table.has(key) ? std::optional(table.number(key) * angle) : std::nullopt;
+  };
+  joint.lowest = end_at("min");
+  joint.highest = end_at("max");
+  if (joint.lowest && joint.highest && *joint.lowest >= *joint.highest) {
+    table.fail("min", "`min` of a joint is not below its `max`");
+  }
   return joint;
 }
 
@@ -141,6 +149,9 @@ std::string joint_text(const Joint& joint) {
   }
   if (joint.sign < 0.0) {
     text += "sign = -1\n";
+  }
+  for (const auto& [key, end] : {std::pair{"min", joint.lowest}, std::pair{"max", joint.highest}}) {
+    text += end ? fmt::format("{} = {}  # {:.6f} deg\n", key, digits(*end), *end / units::degree) : "";
   }
   return text + "\n";
 }

@@ -39,6 +39,8 @@ struct Reading {
   double length = not_read;       ///< measured from the tip to the feature's anchor, mm; NaN where there is none
   /// The tip's coordinates by another instrument, mm; NaN where there are none.
   Eigen::Vector3d reference = Eigen::Vector3d::Constant(not_read);
+  /// The tip's centre in the base frame as the arm's own software reported it, mm; NaN where it did not.
+  Eigen::Vector3d tip = Eigen::Vector3d::Constant(not_read);
   int file = 0;  ///< into Recording::files
   int line = 0;  ///< in that file, from 1
 };

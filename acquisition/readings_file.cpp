@@ -1,7 +1,9 @@
 #include "acquisition/readings_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -16,9 +18,9 @@ namespace artcal {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 11> known_columns{"artefact", "placement", "feature",     "orientation",
-                                                         "repeat",   "probe",     "temperature", "length",
-                                                         "ref_x",    "ref_y",     "ref_z"};
+constexpr std::array<std::string_view, 14> known_columns{
+    "artefact", "placement", "feature", "orientation", "repeat", "probe", "temperature",
+    "length",   "ref_x",     "ref_y",   "ref_z",       "x",      "y",     "z"};
 
 // The number n of a column called qn, or 0.
 int joint_number(std::string_view name) {
@@ -36,8 +38,14 @@ struct Columns {
   using Column = std::optional<std::size_t>;
   Column artefact, placement, feature, orientation, repeat, probe, temperature, length;
   std::array<Column, 3> reference;
-  std::vector<std::size_t> joints;
+  std::array<Column, 3> tip;
+  std::vector<std::size_t> joints;  // none in a file of coordinates alone
 };
+
+bool some_but_not_all(const std::array<Columns::Column, 3>& columns) {
+  const auto& [x, y, z] = columns;
+  return x.has_value() != y.has_value() || x.has_value() != z.has_value();
+}
 
 Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
   for (std::size_t i = 0; i < csv.header().size(); ++i) {
@@ -65,7 +73,23 @@ Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
                   csv.column("temperature"),
                   csv.column("length"),
                   {csv.column("ref_x"), csv.column("ref_y"), csv.column("ref_z")},
+                  {csv.column("x"), csv.column("y"), csv.column("z")},
                   {}};
+  if (some_but_not_all(columns.reference)) {
+    return bad_input("reference coordinates need all three of ref_x, ref_y, ref_z", csv.where(0));
+  }
+  if (some_but_not_all(columns.tip)) {
+    return bad_input("the tip's coordinates need all three of x, y, z", csv.where(0));
+  }
+  const bool any_joint = std::any_of(csv.header().begin(), csv.header().end(),
+                                     [](const std::string& name) { return joint_number(name) > 0; });
+  if (columns.tip[0] && !any_joint) {
+    return columns;
+  }
+  if (arm.joints.empty()) {
+    return bad_input("the recording names no arm, so that its readings need the tip's coordinates x, y, z",
+                     csv.where(0));
+  }
   for (std::size_t i = 1; i <= arm.joints.size(); ++i) {
     const auto column = csv.column(fmt::format("q{}", i));
     if (!column) {
@@ -74,10 +98,6 @@ Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
                        csv.where(0));
     }
     columns.joints.push_back(*column);
-  }
-  const auto& [x, y, z] = columns.reference;
-  if (x.has_value() != y.has_value() || x.has_value() != z.has_value()) {
-    return bad_input("reference coordinates need all three of ref_x, ref_y, ref_z", csv.where(0));
   }
   return columns;
 }
@@ -140,6 +160,13 @@ Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& co
       return tl::unexpected(value.error());
     }
     reading.reference[axis] = *value;
+    if (columns.tip[axis]) {
+      const auto coordinate = csv.number(*columns.tip[axis], "a coordinate");
+      if (!coordinate) {
+        return tl::unexpected(coordinate.error());
+      }
+      reading.tip[axis] = *coordinate * units.length;
+    }
   }
   return reading;
 }
@@ -163,6 +190,7 @@ Expected<void> read_readings(const std::filesystem::path& path, const ReadingUni
   recording.files.push_back(path.string());
   const std::string_view angle = units.joint == units::degree ? "an angle in deg" : "an angle";
   std::vector<double> q;
+  const std::size_t before = recording.readings.size();
   for (;;) {
     const auto found = csv->next();
     if (!found) {
@@ -185,21 +213,28 @@ Expected<void> read_readings(const std::filesystem::path& path, const ReadingUni
     }
     recording.readings.push_back(*reading);
   }
-  if (q.empty()) {
+  const auto count = static_cast<Eigen::Index>(recording.readings.size() - before);
+  if (count == 0) {
     return bad_input("the file has a header but no readings", path.string());
   }
-  const auto joints = static_cast<Eigen::Index>(columns->joints.size());
-  const Eigen::Index before = recording.joints.cols();
-  recording.joints.conservativeResize(joints, before + static_cast<Eigen::Index>(q.size()) / joints);
-  recording.joints.rightCols(recording.joints.cols() - before) =
-      Eigen::MatrixXd::Map(q.data(), joints, static_cast<Eigen::Index>(q.size()) / joints);
+  const auto joints = static_cast<Eigen::Index>(recording.arm.joints.size());
+  recording.joints.conservativeResize(joints, recording.joints.cols() + count);
+  auto added = recording.joints.rightCols(count);
+  if (columns->joints.empty()) {
+    added.setConstant(nan);
+  } else {
+    added = Eigen::MatrixXd::Map(q.data(), joints, count);
+  }
   return {};
 }
 
 std::vector<std::string> suspicious_angles(const Recording& recording, double joint_unit) {
-  const double largest = recording.joints.cwiseAbs().maxCoeff();  // rad
+  double largest = 0.0;  // rad; readings without joint angles have NaN
+  for (const double q : recording.joints.reshaped()) {
+    largest = std::abs(q) > largest ? std::abs(q) : largest;
+  }
   std::vector<std::string> warnings;
-  if (joint_unit == units::degree && recording.readings.size() >= 5 &&
+  if (joint_unit == units::degree && recording.readings.size() >= 5 && largest > 0.0 &&
       largest / units::degree <= 2 * std::numbers::pi) {
     warnings.push_back(
         fmt::format("no joint reads more than {:.3g} degrees: these angles look like radians, but the "

@@ -35,10 +35,11 @@ struct Recording {
   std::string name;
   std::string date;        ///< of the measurement, "2026-03-10"; empty: not stated
   Arm arm;                 ///< the nominal arm, the start of identification
-  Eigen::MatrixXd joints;  ///< joint × reading, rad
+  Eigen::MatrixXd joints;  ///< joint × reading, rad; NaN for readings of coordinates alone
   std::vector<Reading> readings;
   Labels artefacts, placements, features, orientations, repeats;
   std::vector<std::string> artefact_paths;  ///< artefact files named by the recording, resolved
+  std::string specification_path;           ///< the specification named by the recording, resolved; or empty
   Noise noise;
   IdentifyRequest identify;
   std::vector<std::string> files;     ///< readings files, as Reading::file counts them

@@ -60,6 +60,28 @@ void check_temperature_unit(TomlTable& units) {
   }
 }
 
+// An arm of which nothing is known but its tips: its own software says where they were.
+Arm arm_of_probes(TomlTable& root, double length) {
+  Arm arm;
+  arm.name = root.name_or("arm_name", "arm");
+  for (auto& table : root.tables("probe")) {
+    Probe probe;
+    probe.name = table.name_or("name", probe.name);
+    probe.radius = table.number("radius") * length;
+    if (probe.radius < 0.0) {
+      table.fail("radius", "the radius of a tip is negative");
+    }
+    if (probe_index(arm, probe.name) >= 0) {
+      table.fail("name", fmt::format("two probes are called {}; give each its own name", in_quotes(probe.name)));
+    }
+    arm.probes.push_back(probe);
+  }
+  if (arm.probes.empty()) {
+    root.fail("probe", "the recording lists no probe, expected a table headed [[probe]] or arm = \"arm.toml\"");
+  }
+  return arm;
+}
+
 }  // namespace
 
 Expected<Recording> read_recording(const std::filesystem::path& path) {
@@ -73,7 +95,10 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   recording.inputs.push_back({path.string(), document->sha256()});
   recording.name = root.name_or("name", at_most(80, path.stem().string()));
   recording.date = root.date_or("date", "");
-  const std::string arm_path = root.text("arm");
+  const std::string arm_path = root.has("probe") ? "" : root.text("arm");
+  if (root.has("probe") && root.has("arm")) {
+    root.fail("probe", "a recording names an arm, which has its probes, or lists probes itself, not both");
+  }
   for (const auto& name : root.texts("artefacts")) {
     recording.artefact_paths.push_back((folder / name).string());
   }
@@ -81,20 +106,30 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   if (readings_paths.empty()) {
     root.fail("readings", "the recording names no readings, expected readings = [\"readings.csv\"]");
   }
+  if (root.has("specification")) {
+    recording.specification_path = (folder / root.text("specification")).string();
+  }
   TomlTable units = root.table("units");
-  const ReadingUnits reading_units{angle_unit(units, "joint"), length_unit(units, "length")};
+  // Without an arm there are no joints to have a unit.
+  const double joint_unit = arm_path.empty() && !units.has("joint") ? 1.0 : angle_unit(units, "joint");
+  const ReadingUnits reading_units{joint_unit, length_unit(units, "length")};
   check_temperature_unit(units);
+  if (root.has("probe")) {
+    recording.arm = arm_of_probes(root, reading_units.length);
+  }
   recording.noise = read_noise(root.table("noise"));
   recording.identify = read_request(root.table("identify"));
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }
-  auto arm = read_arm_file(folder / arm_path);
-  if (!arm) {
-    return tl::unexpected(arm.error());
+  if (!arm_path.empty()) {
+    auto arm = read_arm_file(folder / arm_path);
+    if (!arm) {
+      return tl::unexpected(arm.error());
+    }
+    recording.arm = std::move(arm->arm);
+    recording.inputs.push_back(arm->input);
   }
-  recording.arm = std::move(arm->arm);
-  recording.inputs.push_back(arm->input);
   for (const auto& name : readings_paths) {
     if (auto read = read_readings(folder / name, reading_units, recording); !read) {
       return tl::unexpected(read.error());

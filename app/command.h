@@ -33,5 +33,7 @@ Run set_up_coupling(CLI::App& parser);
 Run set_up_segment(CLI::App& parser);
 Run set_up_fit(CLI::App& parser);
 Run set_up_uncertainty(CLI::App& parser);
+Run set_up_verify(CLI::App& parser);
+Run set_up_points(CLI::App& parser);
 
 }  // namespace artcal

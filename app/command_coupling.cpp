@@ -6,6 +6,7 @@
 
 #include "acquisition/arm_file.h"
 #include "acquisition/recording_file.h"
+#include "acquisition/tip_centres.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "app/result_json.h"
@@ -61,6 +62,9 @@ Expected<Subject> recorded(const Request& request) {
   auto recording = read_recording(request.path);
   if (!recording) {
     return tl::unexpected(recording.error());
+  }
+  if (auto there = require_joints(*recording); !there) {
+    return tl::unexpected(there.error());
   }
   auto constraints = read_constraints(*recording);
   if (!constraints) {

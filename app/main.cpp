@@ -22,6 +22,8 @@ constexpr std::array commands{
     artcal::Command{"segment", "find an artefact's spheres and planes in a scan", artcal::set_up_segment},
     artcal::Command{"uncertainty", "how uncertain an identified arm's points and lengths are",
                     artcal::set_up_uncertainty},
+    artcal::Command{"verify", "judge an arm by a standard", artcal::set_up_verify},
+    artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
 };
 
 constexpr int wrong_usage = 2;

@@ -9,15 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json header(const Recording& recording, const char* kind, const std::optional<std::uint64_t>& seed) {
-  Json json = result_head(kind);
-  json["recording"] = recording.name;
-  json["arm"] = recording.arm.name;
-  json["inputs"] = inputs_json(recording.inputs);
-  json["seed"] = seed ? Json(*seed) : Json(nullptr);
-  return json;
-}
-
 Json motion_json(const Coupling& coupling, const ParameterMotion& motion) {
   Json coefficients = Json::object();
   for (Eigen::Index i = 0; i < motion.coefficients.size(); ++i) {
@@ -171,9 +162,18 @@ Json noise_json(const IdentifyOptions& options, const Identification& result) {
 
 }  // namespace
 
+Json result_header(const Recording& recording, const char* kind, const std::optional<std::uint64_t>& seed) {
+  Json json = result_head(kind);
+  json["recording"] = recording.name;
+  json["arm"] = recording.arm.name;
+  json["inputs"] = inputs_json(recording.inputs);
+  json["seed"] = seed ? Json(*seed) : Json(nullptr);
+  return json;
+}
+
 Json to_json(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
              const Identification& result, const Timings& timings) {
-  Json json = header(recording, "identification", std::nullopt);
+  Json json = result_header(recording, "identification", std::nullopt);
   json["options"] = {{"hold", options.hold},
                      {"free", options.free},
                      {"loss", name_of(options.loss)},
@@ -213,7 +213,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
 
 Json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request) {
   const auto& made_up = request.made_up;
-  Json json = header(recording, "coupling", made_up ? std::optional(made_up->seed) : std::nullopt);
+  Json json = result_header(recording, "coupling", made_up ? std::optional(made_up->seed) : std::nullopt);
   json["options"] = {{"hold", request.hold}, {"free", request.free}};
   json["made_up"] = nullptr;
   if (made_up) {

@@ -20,6 +20,10 @@ struct Timings {
   double identifying = 0.0;
 };
 
+/// What every result begins with: what made it, of what, from which files.
+nlohmann::ordered_json result_header(const Recording& recording, const char* kind,
+                                     const std::optional<std::uint64_t>& seed);
+
 /// Results as JSON. The schema is docs/result-schema.md; `schema_version` changes with it.
 nlohmann::ordered_json to_json(const Recording& recording, const Constraints& constraints,
                                const IdentifyOptions& options, const Identification& result, const Timings& timings);

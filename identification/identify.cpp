@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/tip_centres.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "identification/arm_fit.h"
@@ -175,6 +176,9 @@ void judge_noise(const ArmFit& fit, Identification& result) {
 
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options) {
+  if (auto there = require_joints(recording); !there) {
+    return tl::unexpected(there.error());
+  }
   auto preparation = prepare(recording, constraints, options);
   if (!preparation) {
     return tl::unexpected(preparation.error());

@@ -78,9 +78,9 @@ class ResultSchema : public testing::ProgramTest {
     }
   }
 
-  void check(const std::vector<std::string>& command, const std::string& table) {
+  void check(const std::vector<std::string>& command, const std::string& table, int exit_code = 0) {
     const testing::Ended ended = run(command);
-    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    ASSERT_EQ(ended.exit_code, exit_code) << ended.err;
     compare(Json::parse(ended.out), table, table);
   }
 
@@ -142,6 +142,28 @@ TEST_F(ResultSchema, OfUncertainties) {
   take("ball-bar");
   ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--no-leave-out"}).exit_code, 0);
   check({"uncertainty", "arm.toml", "--json", "-", "--lengths", "5", "--rings", "2"}, "uncertainty_result");
+}
+
+TEST_F(ResultSchema, OfVerifications) {
+  take("iso10360-12");
+  take("sphere-plate");
+  const std::vector<std::string> iso{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"};
+  const auto with = [](std::vector<std::string> command, const std::vector<std::string>& more) {
+    command.insert(command.end(), more.begin(), more.end());
+    return command;
+  };
+  ASSERT_EQ(run(with(iso, {"--json", "then.json", "--quiet"})).exit_code, 0);
+  check(with(iso, {"--json", "-", "--against", "then.json"}), "verification");
+  check({"verify", "iso10360-12/recording.toml", "--standard", "b89.4.22", "--json", "-"}, "verification", 1);
+  check({"verify", "sphere-plate/recording.toml", "--standard", "sphere-plate", "--json", "-"}, "verification", 1);
+  for (const char* list : {"inputs", "values", "plates", "plates[].balls", "interim.drifts", "missing", "warnings"}) {
+    EXPECT_TRUE(seen_.contains(std::string("verification.") + list)) << list << " was always empty";
+  }
+}
+
+TEST_F(ResultSchema, OfPoints) {
+  take("ball-bar");
+  check({"points", "ball-bar/recording.toml", "--json", "-"}, "points");
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "acquisition/recording.h"
+#include "core/error.h"
+
+namespace artcal {
+
+/// Who says where the tip was.
+enum class TipSource {
+  Joints,    ///< an arm's kinematics, from the joint angles
+  Reported,  ///< the arm's own software (columns x, y, z)
+};
+
+struct TipCentres {
+  Eigen::Matrix3Xd in_base;  ///< a column a reading, mm
+  TipSource source = TipSource::Joints;
+};
+
+/// The tip's centre of every reading by the kinematics of `arm`, which has the joints and the probes of the
+/// recording's. Refused: an arm of another number of joints, a probe that it does not have or has with another
+/// radius, a reading without joint angles.
+Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm);
+
+/// As reported where every reading says, else by the recording's own arm.
+Expected<TipCentres> tip_centres(const Recording& recording);
+
+/// Whether every reading has joint angles; else an error at the first that has not, for whoever needs them.
+Expected<void> require_joints(const Recording& recording);
+
+}  // namespace artcal

@@ -1,0 +1,221 @@
+#include "app/verification_json.h"
+
+#include <cmath>
+
+#include "app/result_json.h"
+#include "core/text_file.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Conforms: return "conforms";
+    case Verdict::DoesNotConform: return "does_not_conform";
+    case Verdict::NothingProven: return "nothing_proven";
+    case Verdict::NotJudged: break;
+  }
+  return "not_judged";
+}
+
+const char* name_of(Conclusion conclusion) {
+  switch (conclusion) {
+    case Conclusion::ConformityShown: return "conformity_shown";
+    case Conclusion::NonConformityShown: return "non_conformity_shown";
+    case Conclusion::NotShown: break;
+  }
+  return "not_shown";
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json budget_json(const Budget& budget) {
+  return {{"calibration_mm", budget.calibration}, {"expansion_mm", budget.expansion},
+          {"temperature_mm", budget.temperature}, {"alignment_mm", budget.alignment},
+          {"fixture_mm", budget.fixture},         {"form_mm", budget.form}};
+}
+
+Json place_json(const Place& place) {
+  return {{"point_mm", {place.point_in_base.x(), place.point_in_base.y(), place.point_in_base.z()}},
+          {"octant", place.octant},
+          {"share_of_reach", place.share_of_reach},
+          {"above_base", place.above_base},
+          {"joint_at_stop", place.joint_at_stop > 0 ? Json(place.joint_at_stop) : Json(nullptr)}};
+}
+
+Json value_json(const TestValue& value) {
+  return {{"quantity", artcal::name_of(value.quantity)},
+          {"artefact", value.artefact},
+          {"placement", value.placement},
+          {"first", value.first},
+          {"second", text_or_null(value.second)},
+          {"repeat", value.repeat},
+          {"certified_mm", value.certified > 0.0 ? Json(value.certified) : Json(nullptr)},
+          {"measured_mm", value.measured},
+          {"value_mm", value.value},
+          {"temperature_C", number_or_null(value.temperature)},
+          {"limit_mm", value.limit ? Json(*value.limit) : Json(nullptr)},
+          {"u_mm", value.budget.total()},
+          {"budget", budget_json(value.budget)},
+          {"verdict", name_of(value.verdict)},
+          {"set_aside", value.set_aside},
+          {"place", place_json(value.place)}};
+}
+
+Json plate_json(const PlatePlacement& plate) {
+  Json balls = Json::array();
+  for (const BallResidual& ball : plate.balls) {
+    balls.push_back(
+        {{"feature", ball.feature},
+         {"residual_mm", {ball.residual_in_plate.x(), ball.residual_in_plate.y(), ball.residual_in_plate.z()}},
+         {"standardised", ball.standardised},
+         {"stands_out", ball.stands_out}});
+  }
+  return {{"artefact", plate.artefact},
+          {"placement", plate.placement},
+          {"repeat", plate.repeat},
+          {"temperature_C", number_or_null(plate.temperature)},
+          {"rms_mm", plate.rms},
+          {"limit", plate.limit},
+          {"scale_ppm", 1e6 * plate.scale},
+          {"u_scale_ppm", 1e6 * plate.u_scale},
+          {"en_worst", plate.en_worst},
+          {"not_measured", plate.not_measured},
+          {"finding", text_or_null(plate.finding)},
+          {"balls", balls}};
+}
+
+Json calibration_json(const PlateCalibration& calibration) {
+  Json balls = Json::array();
+  for (Eigen::Index i = 0; i < calibration.centres.cols(); ++i) {
+    const auto at = calibration.centres.col(i);
+    const auto off = calibration.deviations.col(i);
+    balls.push_back({{"feature", calibration.features[i]},
+                     {"at_mm", {at.x(), at.y(), at.z()}},
+                     {"deviation_mm", {off.x(), off.y(), off.z()}},
+                     {"u_mm", calibration.u(i)}});
+  }
+  return {{"artefact", calibration.artefact},
+          {"placements", calibration.placements},
+          {"least_turn_rad", calibration.least_turn},
+          {"balls", balls}};
+}
+
+Json articulation_json(const Articulation& articulation) {
+  const auto& half = articulation.half_range;
+  return {{"artefact", articulation.artefact},
+          {"placement", articulation.placement},
+          {"feature", articulation.feature},
+          {"readings", articulation.readings},
+          {"largest_mm", articulation.largest},
+          {"twice_s_mm", articulation.twice_s},
+          {"half_range_mm", {half.x(), half.y(), half.z()}}};
+}
+
+Json volumetric_json(const VolumetricSummary& summary) {
+  return {{"lengths", summary.lengths},
+          {"largest_mm", summary.largest},
+          {"range_mm", summary.range},
+          {"twice_rms_mm", summary.twice_rms},
+          {"twice_s_mm", summary.twice_s}};
+}
+
+Json interim_json(const InterimCheck& check) {
+  Json drifts = Json::array();
+  for (const Drift& drift : check.drifts) {
+    drifts.push_back({{"quantity", artcal::name_of(drift.quantity)},
+                      {"artefact", drift.artefact},
+                      {"placement", drift.placement},
+                      {"first", drift.first},
+                      {"second", text_or_null(drift.second)},
+                      {"repeats_then", drift.repeats_then},
+                      {"repeats_now", drift.repeats_now},
+                      {"then_mm", drift.then},
+                      {"now_mm", drift.now},
+                      {"drift_mm", drift.drift},
+                      {"u_mm", drift.u},
+                      {"significant", drift.significant}});
+  }
+  return {{"drifts", drifts},
+          {"repeatability_mm", check.repeatability},
+          {"degrees_of_freedom", check.degrees_of_freedom},
+          {"coverage", check.coverage},
+          {"not_compared", check.not_compared}};
+}
+
+template <typename Items, typename ToJson>
+Json list(const Items& items, ToJson to_json) {
+  Json json = Json::array();
+  for (const auto& item : items) {
+    json.push_back(to_json(item));
+  }
+  return json;
+}
+
+// Throws what the library throws where a field is absent or of another type.
+TestValue value_from(const Json& json) {
+  TestValue value;
+  const auto quantity = quantity_named(json.at("quantity").get<std::string>());
+  value.quantity = quantity.value_or(Quantity::LengthUni);
+  value.artefact = json.at("artefact").get<std::string>();
+  value.placement = json.at("placement").get<std::string>();
+  value.first = json.at("first").get<std::string>();
+  value.second = json.at("second").is_null() ? "" : json.at("second").get<std::string>();
+  value.repeat = json.at("repeat").get<std::string>();
+  value.certified = json.at("certified_mm").is_null() ? 0.0 : json.at("certified_mm").get<double>();
+  value.value = json.at("value_mm").get<double>();
+  value.set_aside = json.at("set_aside").get<bool>();
+  const Json& budget = json.at("budget");
+  value.budget = {budget.at("calibration_mm"), budget.at("expansion_mm"), budget.at("temperature_mm"),
+                  budget.at("alignment_mm"),   budget.at("fixture_mm"),   budget.at("form_mm")};
+  return value;
+}
+
+}  // namespace
+
+Json to_json(const Session& session, const VerificationResult& result) {
+  const Verification& verification = result.verification;
+  Json json = result_header(session.recording, "verification", std::nullopt);
+  json["arm"] = session.arm.name;
+  json["standard"] = verification.standard;
+  json["tip_centres"] = session.tips.source == TipSource::Reported ? "reported" : "joints";
+  json["specification"] = text_or_null(session.specification.name);
+  json["decision_rule"] = text_of(verification.rule);
+  json["conclusion"] = name_of(verification.conclusion);
+  json["values"] = list(verification.values, value_json);
+  json["plates"] = list(result.plates, plate_json);
+  json["plate_calibrations"] = list(result.calibrations, calibration_json);
+  json["articulations"] = list(result.articulations, articulation_json);
+  json["volumetric"] = result.volumetric ? volumetric_json(*result.volumetric) : Json(nullptr);
+  json["interim"] = result.interim ? interim_json(*result.interim) : Json(nullptr);
+  json["missing"] = verification.missing;
+  json["warnings"] = verification.warnings;
+  return json;
+}
+
+Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, const std::string& standard,
+                                                     std::vector<InputFile>& inputs) {
+  const auto file = read_text_file(path, std::size_t{256} << 20);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  inputs.push_back({path, file->sha256});
+  try {
+    const Json json = Json::parse(file->text);
+    if (json.at("kind") != "verification" || json.at("schema_version") != 1 || json.at("standard") != standard) {
+      return bad_input("this is no result of artcal verify by " + standard + " that this version reads", path);
+    }
+    std::vector<TestValue> values;
+    for (const Json& value : json.at("values")) {
+      values.push_back(value_from(value));
+    }
+    return values;
+  } catch (const Json::exception&) {
+    return bad_input("this is no result of artcal verify (--json): it cannot be read as one", path);
+  }
+}
+
+}  // namespace artcal

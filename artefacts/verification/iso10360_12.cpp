@@ -1,0 +1,56 @@
+#include "artefacts/verification/iso10360_12.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "artefacts/verification/completeness.h"
+#include "artefacts/verification/conditions.h"
+#include "artefacts/verification/face_tests.h"
+#include "artefacts/verification/length_tests.h"
+#include "artefacts/verification/outlier_rule.h"
+#include "artefacts/verification/sphere_tests.h"
+
+namespace artcal {
+namespace {
+
+constexpr std::array quantities{Quantity::SizeError, Quantity::FormError, Quantity::LocationDiameter,
+                                Quantity::LengthUni, Quantity::LengthBi};
+
+// A limit that nothing was measured for is a test that was not made.
+void check_limits(const Session& session, Verification& verification) {
+  for (const Quantity quantity : quantities) {
+    if (session.specification.limits.contains(quantity) && worst_of(verification, quantity) == nullptr) {
+      verification.missing.push_back(fmt::format("{}: a limit is stated, but nothing was measured", name_of(quantity)));
+    }
+  }
+}
+
+}  // namespace
+
+Expected<Verification> verify_iso10360_12(const Session& session) {
+  Verification verification;
+  verification.standard = "iso10360-12";
+  verification.rule = session.specification.rule;
+  add_sphere_tests(session, verification);
+  add_length_tests(session, Quantity::LengthUni, verification);
+  add_face_tests(session, verification);
+  if (verification.values.empty()) {
+    return no_solution("nothing of ISO 10360-12 can be evaluated: " +
+                       (verification.missing.empty()
+                            ? "there is neither a single ball nor a certified length with both ends read"
+                            : verification.missing.front()));
+  }
+  const int repeats = session.specification.plan ? session.specification.plan->repeats : 0;
+  set_outliers_aside(session.specification.outliers, repeats, verification);
+  check_sphere_plan(session, verification);
+  check_length_plan(session, verification);
+  check_limits(session, verification);
+  check_conditions(session, verification);
+  add_place_warnings(verification);
+  verification.conclusion = conclude(verification);
+  return verification;
+}
+
+}  // namespace artcal

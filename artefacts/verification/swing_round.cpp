@@ -1,0 +1,70 @@
+#include "artefacts/verification/swing_round.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "artefacts/verification/rigid_fit.h"
+
+namespace artcal {
+namespace {
+
+constexpr int most_rounds = 100;
+constexpr double settled = 1e-12;  // of the size of the plate
+
+double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return std::abs(Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle());
+}
+
+}  // namespace
+
+Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& placements,
+                                      const Eigen::Matrix3Xd& certified) {
+  assert(placements.size() >= 2);
+  const auto count = static_cast<double>(placements.size());
+  Eigen::Matrix3Xd mean = certified;
+  std::vector<Eigen::Matrix3Xd> moved(placements.size());
+  std::vector<Eigen::Matrix3d> turns(placements.size());
+  for (int round = 0; round < most_rounds; ++round) {
+    Eigen::Matrix3Xd next = Eigen::Matrix3Xd::Zero(3, certified.cols());
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+      const auto fit = fit_rigid(mean, placements[i]);
+      if (!fit) {
+        return tl::unexpected(fit.error());
+      }
+      moved[i] = (fit->to_from.rotation * placements[i]).colwise() + fit->to_from.translation;
+      turns[i] = fit->to_from.rotation;
+      next += moved[i] / count;
+    }
+    const double change = (next - mean).norm();
+    mean = next;
+    if (change < settled * mean.norm()) {
+      break;
+    }
+  }
+  const auto onto = fit_rigid(certified, mean);
+  if (!onto) {
+    return tl::unexpected(onto.error());
+  }
+  PlateCalibration result;
+  result.placements = static_cast<int>(placements.size());
+  result.centres = (onto->to_from.rotation * mean).colwise() + onto->to_from.translation;
+  result.deviations = result.centres - certified;
+  result.u = Eigen::VectorXd::Zero(certified.cols());
+  for (const auto& placement : moved) {
+    result.u += (placement - mean).colwise().squaredNorm().transpose();
+  }
+  result.u = (result.u / (3.0 * count * (count - 1.0))).cwiseSqrt();
+  result.least_turn = std::numbers::pi;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    for (std::size_t j = i + 1; j < turns.size(); ++j) {
+      result.least_turn = std::min(result.least_turn, turn_between(turns[i], turns[j]));
+    }
+  }
+  return result;
+}
+
+}  // namespace artcal

@@ -1,0 +1,61 @@
+#include "artefacts/verification/verification.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/in_quotes.h"
+
+namespace artcal {
+
+void judge(TestValue& value, const Specification& specification) {
+  const auto limit = specification.limits.find(value.quantity);
+  if (limit == specification.limits.end()) {
+    return;
+  }
+  value.limit = limit->second.at(value.certified);
+  value.verdict = decide(value.value, *value.limit, value.budget.total(), specification.rule);
+}
+
+Conclusion conclude(const Verification& verification) {
+  bool all_conform = verification.missing.empty() && !verification.values.empty();
+  for (const TestValue& value : verification.values) {
+    if (!value.set_aside && value.verdict == Verdict::DoesNotConform) {
+      return Conclusion::NonConformityShown;
+    }
+    all_conform = all_conform && (value.set_aside || value.verdict == Verdict::Conforms);
+  }
+  return all_conform ? Conclusion::ConformityShown : Conclusion::NotShown;
+}
+
+const TestValue* worst_of(const Verification& verification, Quantity quantity) {
+  const TestValue* worst = nullptr;
+  for (const TestValue& value : verification.values) {
+    // Of limits that grow with the length, the value that uses up most of its own is the worst.
+    const auto size = [](const TestValue& v) { return std::abs(v.value) / v.limit.value_or(1.0); };
+    if (value.quantity == quantity && !value.set_aside && (worst == nullptr || size(value) > size(*worst))) {
+      worst = &value;
+    }
+  }
+  return worst;
+}
+
+const char* text_of(Conclusion conclusion) {
+  switch (conclusion) {
+    case Conclusion::ConformityShown: return "conformity shown";
+    case Conclusion::NonConformityShown: return "non-conformity shown";
+    case Conclusion::NotShown: break;
+  }
+  return "conformity not shown";
+}
+
+std::string label_of(const TestValue& value) {
+  std::string text = name_of(value.quantity);
+  text += value.second.empty() ? fmt::format(" {}", at_most(40, value.first))
+                               : fmt::format(" {} - {}", at_most(40, value.first), at_most(40, value.second));
+  text += value.placement.empty() ? "" : fmt::format(", placement {}", at_most(40, value.placement));
+  return text + (value.repeat.empty() ? "" : fmt::format(", repeat {}", at_most(40, value.repeat)));
+}
+
+}  // namespace artcal

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "artefacts/verification/budget.h"
+#include "artefacts/verification/decision.h"
+#include "artefacts/verification/place.h"
+#include "artefacts/verification/specification.h"
+
+namespace artcal {
+
+/// One number that a standard asks for, measured and judged. Lengths in mm at the artefact's reference
+/// temperature.
+struct TestValue {
+  Quantity quantity = Quantity::LengthUni;
+  std::string artefact, placement;
+  std::string first, second;  ///< features; `second` of lengths only
+  std::string repeat;
+  double certified = 0.0;  ///< length or diameter; 0 where the value itself is all there is
+  double measured = 0.0;
+  double value = 0.0;        ///< what is judged
+  double temperature = 0.0;  ///< °C; NaN where it was not read
+  Budget budget;
+  std::optional<double> limit;
+  Verdict verdict = Verdict::NotJudged;
+  bool set_aside = false;  ///< measured again under the outlier rule; its verdict does not count
+  Place place;
+};
+
+enum class Conclusion {
+  ConformityShown,     ///< everything that is asked for is there, and all of it conforms
+  NonConformityShown,  ///< at least one value does not conform
+  NotShown,            ///< neither: see the verdicts and what is missing
+};
+
+/// An arm verified.
+struct Verification {
+  std::string standard;
+  DecisionRule rule = DecisionRule::Iso14253_2017;
+  std::vector<TestValue> values;
+  std::vector<std::string> missing;   ///< what stands in the way of conformity beside the values
+  std::vector<std::string> warnings;  ///< what looks wrong but may be right
+  Conclusion conclusion = Conclusion::NotShown;
+};
+
+/// Fills limit and verdict of a value.
+void judge(TestValue& value, const Specification& specification);
+
+/// From the values and what is missing. Nothing missing and no value at all shows nothing.
+Conclusion conclude(const Verification& verification);
+
+/// The value of largest size of a quantity, or none. Values set aside do not count.
+const TestValue* worst_of(const Verification& verification, Quantity quantity);
+
+const char* text_of(Conclusion conclusion);
+
+/// "E_Uni A - B, placement 3, repeat 1".
+std::string label_of(const TestValue& value);
+
+}  // namespace artcal

@@ -1,0 +1,142 @@
+// artcal verify and artcal points as a laboratory uses them.
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.h"
+#include "tests/support/example_recording.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::Contains;
+using testing::Ended;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::replaced;
+
+class Verify : public testing::ProgramTest {
+ protected:
+  Json json_of(const std::vector<std::string>& command, int exit_code) {
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.exit_code, exit_code) << ended.err << ended.out.substr(0, 2000);
+    return ended.out.empty() ? Json() : Json::parse(ended.out);
+  }
+};
+
+TEST_F(Verify, TheIdentifiedArmConformsAndTheNominalOneDoesNot) {
+  take("ball-bar");
+  take("iso10360-12");
+  ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--quiet"}).exit_code, 0);
+  const std::vector<std::string> verify{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json",
+                                        "-"};
+  const auto with_arm = [&](const std::string& arm) {
+    auto command = verify;
+    command.insert(command.end(), {"--arm", arm});
+    return command;
+  };
+  const Json after = json_of(with_arm("arm.toml"), 0);
+  EXPECT_EQ(after["conclusion"], "conformity_shown");
+  EXPECT_EQ(after["values"].size(), 2u + 2u + 2u + 105u);
+  EXPECT_THAT(after["missing"], IsEmpty());
+  const Json before = json_of(with_arm("ball-bar/arm.toml"), 1);
+  EXPECT_EQ(before["conclusion"], "non_conformity_shown");
+  double worst = 0.0;
+  for (const Json& value : before["values"]) {
+    worst = std::max(worst, std::abs(value["value_mm"].get<double>()));
+  }
+  EXPECT_GT(worst, 1.0);
+  // The example's own arm is that identification.
+  EXPECT_EQ(json_of(verify, 0)["values"][6]["value_mm"], after["values"][6]["value_mm"]);
+}
+
+TEST_F(Verify, ABumpedArmIsFound) {
+  take("iso10360-12");
+  const Ended ended = run(
+      {"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--arm", "iso10360-12/bumped-arm.toml"});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("NON-CONFORMITY SHOWN"));
+  EXPECT_THAT(ended.out, HasSubstr("does not conform"));
+}
+
+TEST_F(Verify, ThePlantedBallOfTheSpherePlateIsNamed) {
+  take("sphere-plate");
+  const Ended ended = run({"verify", "sphere-plate/recording.toml", "--standard", "sphere-plate"});
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("coordinates as the arm's own software reported them"));
+  EXPECT_THAT(ended.out, HasSubstr("placement \"1\": ball \"C4\" is off by"));
+  EXPECT_THAT(ended.out, HasSubstr("placement \"2\": ball \"C4\" is off by"));
+  EXPECT_THAT(ended.err, IsEmpty());
+}
+
+TEST_F(Verify, CoordinatesAloneIdentifyNoArm) {
+  take("sphere-plate");
+  for (const char* command : {"identify", "coupling", "points"}) {
+    const Ended ended = run({command, "sphere-plate/recording.toml"});
+    EXPECT_EQ(ended.exit_code, 3) << command;
+    EXPECT_THAT(ended.err, HasSubstr("readings.csv:2: the reading has coordinates but no joint angles")) << command;
+  }
+}
+
+TEST_F(Verify, AnInterimCheckFindsADriftAndNothingWhereThereIsNone) {
+  take("iso10360-12");
+  const std::vector<std::string> verify{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"};
+  auto first = verify;
+  first.insert(first.end(), {"--json", "then.json", "--quiet"});
+  ASSERT_EQ(run(first).exit_code, 0);
+  auto again = verify;
+  again.insert(again.end(), {"--against", "then.json"});
+  const Ended same = run(again);
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("NO SIGNIFICANT DRIFT"));
+  again.insert(again.end(), {"--arm", "iso10360-12/bumped-arm.toml"});
+  const Ended bumped = run(again);
+  EXPECT_EQ(bumped.exit_code, 1);
+  EXPECT_THAT(bumped.out, HasSubstr("Interim check: SIGNIFICANT DRIFT"));
+}
+
+TEST_F(Verify, AnEarlierResultThatIsNoneIsRefused) {
+  take("iso10360-12");
+  for (const char* text : {"{}", "[]", "{\"kind\": \"verification\"}", "no json", "[[[[[["}) {
+    write("then.json", text);
+    const Ended ended =
+        run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--against", "then.json"});
+    EXPECT_EQ(ended.exit_code, 3) << text;
+    EXPECT_THAT(ended.err, HasSubstr("then.json: this is no result of artcal verify")) << text;
+  }
+}
+
+TEST_F(Verify, PointsAreAReadingsFileOfCoordinates) {
+  take("iso10360-12");
+  ASSERT_EQ(run({"points", "iso10360-12/recording.toml", "-o", "points.csv"}).exit_code, 0);
+  write("recording.toml",
+        "schema = \"artcal-recording/1\"\nartefacts = [\"iso10360-12/ball.toml\", \"iso10360-12/bar.toml\"]\n"
+        "readings = [\"points.csv\"]\nspecification = \"iso10360-12/specification.toml\"\n"
+        "units = { length = \"mm\" }\n[[probe]]\nname = \"ball 6 mm\"\nradius = 3\n");
+  const Json by_points = json_of({"verify", "recording.toml", "--standard", "iso10360-12", "--json", "-"}, 0);
+  const Json by_joints =
+      json_of({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json", "-"}, 0);
+  EXPECT_EQ(by_points["tip_centres"], "reported");
+  ASSERT_EQ(by_points["values"].size(), by_joints["values"].size());
+  for (std::size_t i = 0; i < by_points["values"].size(); ++i) {
+    EXPECT_EQ(by_points["values"][i]["value_mm"], by_joints["values"][i]["value_mm"]);
+  }
+}
+
+TEST_F(Verify, WrongCallsAreRefused) {
+  take("iso10360-12");
+  EXPECT_EQ(run({"verify", "iso10360-12/recording.toml"}).exit_code, 2);
+  EXPECT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-2"}).exit_code, 2);
+  EXPECT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json",
+                 "iso10360-12/specification.toml"})
+                .exit_code,
+            2);
+  write("arm.toml", replaced(text_of("iso10360-12/arm.toml"), "radius = 3.0", "radius = 2.0"));
+  const Ended other_tip =
+      run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--arm", "arm.toml"});
+  EXPECT_EQ(other_tip.exit_code, 3);
+  EXPECT_THAT(other_tip.err, HasSubstr("one of them is wrong"));
+}
+
+}  // namespace
+}  // namespace artcal

@@ -1,0 +1,76 @@
+#include "artefacts/verification/swing_round.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "core/random.h"
+#include "core/rigid.h"
+
+namespace artcal {
+namespace {
+
+// An arm whose x axis is 20 ppm long and whose y axis leans by 10 µrad.
+Eigen::Matrix3d arm_error() {
+  Eigen::Matrix3d error = Eigen::Matrix3d::Identity();
+  error(0, 0) += 20e-6;
+  error(0, 1) = 10e-6;
+  return error;
+}
+
+struct Swing {
+  Eigen::Matrix3Xd certified{3, 25}, truth{3, 25};
+  std::vector<Eigen::Matrix3Xd> placements;
+
+  Swing(int count, double turn, double noise) {
+    RandomStream random(9, "swing-round");
+    for (int i = 0; i < 25; ++i) {
+      certified.col(i) = Eigen::Vector3d(100.0 * (i % 5) - 200.0, 100.0 * (i / 5) - 200.0, 0.0);
+    }
+    truth = certified + 0.005 * Eigen::Matrix3Xd::NullaryExpr(3, 25, [&] { return random.normal(); });
+    for (int i = 0; i < count; ++i) {
+      const Eigen::Matrix3d rotation = Eigen::AngleAxisd(i * turn, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+      placements.push_back(((arm_error() * rotation * truth).colwise() + Eigen::Vector3d(500.0, 300.0, 0.0)) +
+                           noise * Eigen::Matrix3Xd::NullaryExpr(3, 25, [&] { return random.normal(); }));
+    }
+  }
+  /// Largest error of the shape found, the common scale of the arm (half of 20 ppm) taken out.
+  [[nodiscard]] double error(const PlateCalibration& found) const {
+    // Both in the certificate's frame by the same best motion: shift and turn of 5 µm of deviations are within µm.
+    const auto onto = mean_shape({truth, truth}, certified);
+    return (found.centres / (1.0 + 10e-6) - onto->centres).colwise().norm().maxCoeff();
+  }
+};
+
+TEST(SwingRound, FourQuartersTakeTheArmsErrorsOut) {
+  const Swing swing(4, std::numbers::pi / 2, 0.0);
+  const auto found = mean_shape(swing.placements, swing.certified);
+  ASSERT_TRUE(found);
+  EXPECT_LT(swing.error(*found), 1e-5);
+  EXPECT_NEAR(found->least_turn, std::numbers::pi / 2, 1e-4);
+  EXPECT_EQ(found->placements, 4);
+  EXPECT_GT(found->u.maxCoeff(), 0.5e-3);  // the arm's errors are in the scatter
+}
+
+TEST(SwingRound, UnturnedPlacementsDoNot) {
+  const Swing swing(4, 0.01, 0.0);
+  const auto found = mean_shape(swing.placements, swing.certified);
+  EXPECT_GT(swing.error(*found), 1e-3);
+  EXPECT_NEAR(found->least_turn, 0.01, 1e-3);
+}
+
+TEST(SwingRound, NoiseAveragesAsItsUncertaintySays) {
+  Swing swing(4, std::numbers::pi / 2, 0.002);
+  for (auto& placement : swing.placements) {
+    placement = arm_error().inverse() * placement;
+  }
+  const auto found = mean_shape(swing.placements, swing.certified);
+  const auto onto = mean_shape({swing.truth, swing.truth}, swing.certified);
+  const double rms = std::sqrt((found->centres - onto->centres).squaredNorm() / 75.0);
+  EXPECT_NEAR(rms, 0.001, 0.0002);  // 2 µm over √4
+  EXPECT_NEAR(std::sqrt(found->u.squaredNorm() / 25.0), 0.001, 0.0002);
+}
+
+}  // namespace
+}  // namespace artcal
