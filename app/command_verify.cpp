@@ -87,7 +87,7 @@ Standard standard_of(const std::string& name) {
 
 bool is_shown(const VerificationResult& result) {
   if (const auto& interim = result.interim) {
-    return !interim->drifts.empty() && interim->degrees_of_freedom > 0 && !interim->any_significant() &&
+    return interim->any_told() && !interim->any_significant() &&
            result.verification.conclusion != Conclusion::NonConformityShown;
   }
   return result.verification.conclusion == Conclusion::ConformityShown;

@@ -137,13 +137,12 @@ Json interim_json(const InterimCheck& check) {
                       {"now_mm", drift.now},
                       {"drift_mm", drift.drift},
                       {"u_mm", drift.u},
+                      {"repeatability_mm", drift.repeatability},
+                      {"degrees_of_freedom", drift.degrees_of_freedom},
+                      {"coverage", drift.coverage},
                       {"significant", drift.significant}});
   }
-  return {{"drifts", drifts},
-          {"repeatability_mm", check.repeatability},
-          {"degrees_of_freedom", check.degrees_of_freedom},
-          {"coverage", check.coverage},
-          {"not_compared", check.not_compared}};
+  return {{"drifts", drifts}, {"not_compared", check.not_compared}};
 }
 
 template <typename Items, typename ToJson>

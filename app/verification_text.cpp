@@ -65,10 +65,10 @@ std::string answer(const Verification& verification) {
 }
 
 std::string interim_answer(const InterimCheck& check) {
-  return check.any_significant()         ? "SIGNIFICANT DRIFT"
-         : check.drifts.empty()          ? "NOTHING COULD BE COMPARED"
-         : check.degrees_of_freedom == 0 ? "NOT TOLD: without repeats no drift can be called significant"
-                                         : "NO SIGNIFICANT DRIFT";
+  return check.any_significant() ? "SIGNIFICANT DRIFT"
+         : check.drifts.empty()  ? "NOTHING COULD BE COMPARED"
+         : !check.any_told()     ? "NOT TOLD: without repeats no drift can be called significant"
+                                 : "NO SIGNIFICANT DRIFT";
 }
 
 std::string title_text(const Session& session, const Verification& verification) {
@@ -200,19 +200,18 @@ std::string b89_text(const VerificationResult& result) {
 }
 
 std::string interim_text(const InterimCheck& check) {
-  Table table({"drift since, um", "then", "now", "drift", "u (k = 1)", ""});
+  Table table({"drift since, um", "then", "now", "drift", "u (k = 1)", "repeatability", ""});
   for (const Drift& drift : check.drifts) {
     const std::string features = shown(drift.first) + (drift.second.empty() ? "" : " - " + shown(drift.second));
+    const bool told = drift.degrees_of_freedom > 0;
     table.add({fmt::format("{} {}: {}", name_of(drift.quantity), shown(drift.placement), features),
                signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
-               fmt::format("{:.2f}", drift.u / units::micrometre), drift.significant ? "significant" : ""});
+               fmt::format("{:.2f}", drift.u / units::micrometre),
+               told ? fmt::format("{:.2f}", drift.repeatability / units::micrometre) : "no repeats",
+               drift.significant ? "significant" : ""});
   }
-  std::string text = fmt::format("Interim check: {}\n", interim_answer(check)) + table.text();
-  if (check.degrees_of_freedom > 0) {
-    text += fmt::format("  repeatability {:.2f} um ({} degrees of freedom), significant beyond {:.2f} u\n",
-                        check.repeatability / units::micrometre, check.degrees_of_freedom, check.coverage);
-  }
-  return text + "\n" + list_text("Not in the earlier verification:", check.not_compared);
+  return fmt::format("Interim check: {}\n{}\n", interim_answer(check), table.text()) +
+         list_text("Not in the earlier verification:", check.not_compared);
 }
 
 }  // namespace

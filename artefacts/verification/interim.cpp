@@ -31,14 +31,24 @@ double mean_of(const std::vector<const TestValue*>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-// Adds squares about the group's mean and their degrees of freedom.
-void pool(const std::vector<const TestValue*>& values, double& squares, int& freedom) {
-  const double mean = mean_of(values);
-  for (const TestValue* value : values) {
-    squares += (value->value - mean) * (value->value - mean);
+/// Squares of values about the means of their groups, and their degrees of freedom.
+struct Scatter {
+  double squares = 0.0;
+  int freedom = 0;
+
+  void add(const std::vector<const TestValue*>& values) {
+    const double mean = mean_of(values);
+    for (const TestValue* value : values) {
+      squares += (value->value - mean) * (value->value - mean);
+    }
+    freedom += static_cast<int>(values.size()) - 1;
   }
-  freedom += static_cast<int>(values.size()) - 1;
-}
+  [[nodiscard]] double deviation() const { return freedom > 0 ? std::sqrt(squares / freedom) : 0.0; }
+  // Student's factor to its first term (Cornish-Fisher).
+  [[nodiscard]] double coverage() const {
+    return freedom > 0 ? normal_95 * (1.0 + (normal_95 * normal_95 + 1.0) / (4.0 * freedom)) : 0.0;
+  }
+};
 
 double u_without_shared(const TestValue& value, bool same_certificate) {
   Budget budget = value.budget;
@@ -52,20 +62,19 @@ bool InterimCheck::any_significant() const {
   return std::any_of(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.significant; });
 }
 
+bool InterimCheck::any_told() const {
+  return std::any_of(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.degrees_of_freedom > 0; });
+}
+
 InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestValue>& then) {
   InterimCheck check;
   const Groups before = grouped(then);
   const Groups after = grouped(now);
-  double squares = 0.0;
+  std::map<Quantity, Scatter> scatter;
   for (const Groups* groups : {&before, &after}) {
     for (const auto& [key, values] : *groups) {
-      pool(values, squares, check.degrees_of_freedom);
+      scatter[std::get<0>(key)].add(values);
     }
-  }
-  const int freedom = check.degrees_of_freedom;
-  if (freedom > 0) {
-    check.repeatability = std::sqrt(squares / freedom);
-    check.coverage = normal_95 * (1.0 + (normal_95 * normal_95 + 1.0) / (4.0 * freedom));  // Student, first term
   }
   for (const auto& [key, values] : after) {
     const auto earlier = before.find(key);
@@ -76,22 +85,24 @@ InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestVa
     const TestValue& a = *earlier->second.front();
     const TestValue& b = *values.front();
     const bool same_certificate = a.certified == b.certified && a.budget.calibration == b.budget.calibration;
-    Drift drift{b.quantity,
-                b.artefact,
-                b.placement,
-                b.first,
-                b.second,
-                static_cast<int>(earlier->second.size()),
-                static_cast<int>(values.size()),
-                mean_of(earlier->second),
-                mean_of(values),
-                0.0,
-                0.0,
-                false};
+    Drift drift;
+    drift.quantity = b.quantity;
+    drift.artefact = b.artefact;
+    drift.placement = b.placement;
+    drift.first = b.first;
+    drift.second = b.second;
+    drift.repeats_then = static_cast<int>(earlier->second.size());
+    drift.repeats_now = static_cast<int>(values.size());
+    drift.then = mean_of(earlier->second);
+    drift.now = mean_of(values);
     drift.drift = drift.now - drift.then;
-    const double scatter = check.repeatability * std::sqrt(1.0 / drift.repeats_then + 1.0 / drift.repeats_now);
-    drift.u = std::hypot(scatter, u_without_shared(a, same_certificate), u_without_shared(b, same_certificate));
-    drift.significant = freedom > 0 && std::abs(drift.drift) > check.coverage * drift.u;
+    const Scatter& of_quantity = scatter[b.quantity];
+    drift.degrees_of_freedom = of_quantity.freedom;
+    drift.repeatability = of_quantity.deviation();
+    drift.coverage = of_quantity.coverage();
+    const double of_means = drift.repeatability * std::sqrt(1.0 / drift.repeats_then + 1.0 / drift.repeats_now);
+    drift.u = std::hypot(of_means, u_without_shared(a, same_certificate), u_without_shared(b, same_certificate));
+    drift.significant = drift.degrees_of_freedom > 0 && std::abs(drift.drift) > drift.coverage * drift.u;
     check.drifts.push_back(drift);
   }
   return check;

@@ -15,18 +15,19 @@ struct Drift {
   double then = 0.0, now = 0.0;  ///< means, mm
   double drift = 0.0;            ///< now − then, mm
   double u = 0.0;                ///< standard uncertainty of the drift, mm
+  double repeatability = 0.0;    ///< s: of one value of this quantity, pooled over all repeats of both; mm
+  int degrees_of_freedom = 0;    ///< of it; 0: there were no repeats, and nothing can be called significant
+  double coverage = 0.0;         ///< factor for 95 % with these degrees of freedom
   bool significant = false;      ///< beyond `coverage` times u
 };
 
 /// A few values held against an earlier verification of the same arm.
 struct InterimCheck {
   std::vector<Drift> drifts;
-  double repeatability = 0.0;             ///< standard deviation of one value, pooled over all repeats of both; mm
-  int degrees_of_freedom = 0;             ///< of it; 0: there were no repeats, and nothing can be called significant
-  double coverage = 0.0;                  ///< factor for 95 % with these degrees of freedom
   std::vector<std::string> not_compared;  ///< values now that the earlier verification does not have
 
   [[nodiscard]] bool any_significant() const;
+  [[nodiscard]] bool any_told() const;  ///< whether repeats say of at least one drift if it is significant
 };
 
 /// Compares values of the same quantity, artefact, placement and features:

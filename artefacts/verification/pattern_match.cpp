@@ -13,7 +13,8 @@
 namespace artcal {
 namespace {
 
-constexpr double far_better = 0.5;     // of the rms as named
+// Of the rms as named. Where few points say little against chance, the difference must be gross.
+double far_better(Eigen::Index points) { return points >= 9 ? 0.5 : 0.1; }
 constexpr double near_share = 0.1;     // of the smallest distance between points: what still counts as the same place
 constexpr int most_candidates = 4000;  // triples that are tried in full
 
@@ -186,11 +187,11 @@ std::optional<PatternFinding> find_misnaming(const Eigen::Matrix3Xd& measured, c
   const bool flat = is_flat(certified, near);
   if (!flat) {
     const auto mirrored = fit_mirrored(measured, certified);
-    if (mirrored && mirrored->rms < far_better * named->rms) {
+    if (mirrored && mirrored->rms < far_better(certified.cols()) * named->rms) {
       return PatternFinding{PatternFinding::Kind::Mirrored, {}, {}, named->rms, mirrored->rms};
     }
   }
-  if (const auto best = best_order(measured, all); best && best->rms < far_better * named->rms) {
+  if (const auto best = best_order(measured, all); best && best->rms < far_better(certified.cols()) * named->rms) {
     const auto kind =
         flat && turns_over(all, best->order) ? PatternFinding::Kind::Mirrored : PatternFinding::Kind::OtherOrder;
     return PatternFinding{kind, best->order, {}, named->rms, best->rms};

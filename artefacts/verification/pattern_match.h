@@ -26,7 +26,7 @@ struct PatternFinding {
 /// poses. `measured` and `certified` hold the same points by name; `others` are further certified points that
 /// were not measured. Nothing where the names fit as well as anything does. A flat pattern that is its own mirror
 /// image up to some µm (a square grid of balls) is told by these µm: an explanation counts where it leaves less
-/// than half the rms.
+/// than half the rms (a tenth with fewer than nine points, where chance does more).
 std::optional<PatternFinding> find_misnaming(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified,
                                              const Eigen::Matrix3Xd& others);
 

@@ -33,8 +33,8 @@ TEST(Interim, IsWorkedOutByHand) {
   const InterimCheck check = compare(values("1", {15, 16, 17}), values("1", {9, 10, 11}));
   ASSERT_EQ(check.drifts.size(), 1u);
   EXPECT_NEAR(check.drifts[0].drift, 6e-3, 1e-12);
-  EXPECT_EQ(check.degrees_of_freedom, 4);
-  EXPECT_NEAR(check.repeatability, 1e-3, 1e-12);
+  EXPECT_EQ(check.drifts[0].degrees_of_freedom, 4);
+  EXPECT_NEAR(check.drifts[0].repeatability, 1e-3, 1e-12);
   EXPECT_NEAR(check.drifts[0].u, 1e-3 * std::sqrt(2.0 + 2.0 / 3.0), 1e-12);
   EXPECT_TRUE(check.drifts[0].significant);
   EXPECT_TRUE(check.any_significant());
@@ -50,8 +50,24 @@ TEST(Interim, AnotherCertificateDoesNotCancel) {
 
 TEST(Interim, WithoutRepeatsNothingIsSignificant) {
   const InterimCheck check = compare(values("1", {500}), values("1", {10}));
-  EXPECT_EQ(check.degrees_of_freedom, 0);
+  EXPECT_EQ(check.drifts[0].degrees_of_freedom, 0);
   EXPECT_FALSE(check.any_significant());
+  EXPECT_FALSE(check.any_told());
+}
+
+// The scatter of lengths says nothing of a ball's diameter.
+TEST(Interim, RepeatabilityIsTheQuantitysOwn) {
+  auto before = values("1", {9, 10, 11});
+  auto after = values("1", {9, 10, 11});
+  for (auto* all : {&before, &after}) {
+    all->push_back(values("1", {5}).front());
+    all->back().quantity = Quantity::SizeError;
+  }
+  const InterimCheck check = compare(after, before);
+  ASSERT_EQ(check.drifts.size(), 2u);
+  EXPECT_EQ(check.drifts[0].degrees_of_freedom, 0);
+  EXPECT_NEAR(check.drifts[0].u, 1e-3 * std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(check.drifts[1].degrees_of_freedom, 4);
 }
 
 TEST(Interim, OnlyTheSamePlacementIsCompared) {

@@ -216,6 +216,15 @@ TEST(Iso10360_12, WhatIsMissingIsSaidAndConformityNotShown) {
               Contains(HasSubstr("L_Dia: a limit is stated, but nothing was measured")));
 }
 
+TEST(Iso10360_12, PlannedPositionsAreAskedForByName) {
+  Specification by = specification();
+  by.plan->named = {{"8", {}}, {"1", {{"0", "5"}, {"5", "0"}, {"1", "2"}}}};
+  const Verification result = verified({}, by);
+  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_THAT(result.missing, ::testing::ElementsAre(HasSubstr("placement \"8\": no length was measured there"),
+                                                     HasSubstr("placement \"1\", 1 - 2: 0 of 3 repeats")));
+}
+
 TEST(Iso10360_12, WithoutLimitsOrPlanNothingIsShown) {
   Specification empty;
   const Verification result = verified({}, empty);
