@@ -98,7 +98,7 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   }
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
-  const auto parameters = parameters_of(arm);
+  const auto parameters = parameters_with_radii(arm);
   std::set<std::string> seen;
   for (const auto& name : known.parameters) {
     if (find_parameter(parameters, name) < 0) {

@@ -15,9 +15,11 @@ void add_joints(std::vector<Parameter>& all, const Arm& arm, ParameterKind kind,
   }
 }
 
+std::string suffix_of(const Arm& arm, int probe) { return arm.probes.size() > 1 ? ":" + arm.probes[probe].name : ""; }
+
 void add_tip(std::vector<Parameter>& all, const Arm& arm, int probe) {
   const Probe& tip = arm.probes[probe];
-  const std::string suffix = arm.probes.size() > 1 ? ":" + tip.name : "";
+  const std::string suffix = suffix_of(arm, probe);
   if (tip.on_axis) {
     all.push_back({"l" + suffix, ParameterKind::TipZ, probe});
     return;
@@ -39,6 +41,7 @@ auto& slot(AnyArm& arm, const Parameter& parameter) {
     case ParameterKind::Beta: return arm.joints[owner].beta;
     case ParameterKind::TipX: return arm.probes[owner].tip_in_last.x();
     case ParameterKind::TipY: return arm.probes[owner].tip_in_last.y();
+    case ParameterKind::Radius: return arm.probes[owner].radius;
     case ParameterKind::TipZ: break;
   }
   return arm.probes[owner].tip_in_last.z();
@@ -56,6 +59,14 @@ std::vector<Parameter> parameters_of(const Arm& arm) {
   add_joints(all, arm, ParameterKind::Beta, "beta", link);
   for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
     add_tip(all, arm, probe);
+  }
+  return all;
+}
+
+std::vector<Parameter> parameters_with_radii(const Arm& arm) {
+  std::vector<Parameter> all = parameters_of(arm);
+  for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
+    all.push_back({"radius" + suffix_of(arm, probe), ParameterKind::Radius, probe});
   }
   return all;
 }

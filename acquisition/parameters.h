@@ -9,9 +9,9 @@
 namespace artcal {
 
 /// What one structural parameter of an arm is.
-enum class ParameterKind { A, D, Theta, Alpha, Beta, TipX, TipY, TipZ };
+enum class ParameterKind { A, D, Theta, Alpha, Beta, TipX, TipY, TipZ, Radius };
 
-/// One structural parameter. `owner` is the joint's index, or the probe's for a tip coordinate.
+/// One structural parameter. `owner` is the joint's index, or the probe's for a tip coordinate or radius.
 struct Parameter {
   std::string name;  ///< as the field writes it: a6, theta6, l, lx; with several probes l:star
   ParameterKind kind = ParameterKind::A;
@@ -30,6 +30,10 @@ struct Parameter {
 /// a, d, theta, alpha, each joint after joint; Hayati angles where a joint has one; then the tips.
 /// In modified DH a and alpha carry the index of the link before: a0 … a(n-1), d1 … dn.
 std::vector<Parameter> parameters_of(const Arm& arm);
+
+/// The same and the radii of the tips: radius, with several probes radius:star. A radius does not move the
+/// tip's centre, and its maker knows it; it is a parameter only where it is asked for.
+std::vector<Parameter> parameters_with_radii(const Arm& arm);
 
 double value(const Arm& arm, const Parameter& parameter);
 void set_value(Arm& arm, const Parameter& parameter, double value);

@@ -46,6 +46,7 @@ void joint_sines(std::span<const double> q, std::span<double> sines) {
 Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
     : convention_(arm.convention),
       tip_in_last_(arm.probes[probe].tip_in_last),
+      tip_radius_(arm.probes[probe].radius),
       columns_(static_cast<int>(parameters.size())) {
   assert(static_cast<int>(arm.joints.size()) <= max_joints);
   for (const Joint& joint : arm.joints) {
@@ -59,6 +60,10 @@ Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe
       if (parameter.owner == probe) {
         column_tip_[static_cast<int>(parameter.kind) - static_cast<int>(ParameterKind::TipX)] = column;
       }
+      continue;
+    }
+    if (parameter.kind == ParameterKind::Radius) {
+      column_radius_ = parameter.owner == probe ? column : column_radius_;
       continue;
     }
     Link& link = links_[parameter.owner];

@@ -27,7 +27,7 @@ void joint_sines(std::span<const double> q, std::span<double> sines);
 ///             ∂P/∂αi = x(i) × (P − p(i)),       ∂P/∂βi = y(i) × (P − p(i))
 ///   modified: the same with the axes where Craig has them: α and a along x(i-1), β about the y axis
 ///             after both, θ and d along z(i).
-///   tip:      ∂P/∂(lx, ly, lz) = x(n), y(n), z(n).
+///   tip:      ∂P/∂(lx, ly, lz) = x(n), y(n), z(n); ∂P/∂radius = 0.
 class Sweep {
  public:
   /// Columns of the derivative are the `parameters`, which are parameters_of(arm) or a selection.
@@ -35,6 +35,9 @@ class Sweep {
 
   [[nodiscard]] int joint_count() const { return static_cast<int>(links_.size()); }
   [[nodiscard]] int column_count() const { return columns_; }
+  /// Radius of the probe's tip, mm, and its column among the parameters, or -1.
+  [[nodiscard]] double tip_radius() const { return tip_radius_; }
+  [[nodiscard]] int radius_column() const { return column_radius_; }
 
   /// The tip's centre in the base frame, mm. REQUIRES: sines.size() == 2·joint_count().
   [[nodiscard]] Eigen::Vector3d tip_in_base(JointSines sines) const;
@@ -63,7 +66,9 @@ class Sweep {
   Convention convention_;
   std::vector<Link> links_;
   Eigen::Vector3d tip_in_last_;
+  double tip_radius_;
   std::array<int, 3> column_tip_{-1, -1, -1};
+  int column_radius_ = -1;
   int columns_;
 };
 

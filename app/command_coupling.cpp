@@ -138,17 +138,23 @@ Run set_up_coupling(CLI::App& parser) {
       ->type_name("RECORDING|ARM");
   const std::map<std::string, ReadingKind> kinds{
       {"base", ReadingKind::BaseCoordinates}, {"frame", ReadingKind::FrameCoordinates},
-      {"point", ReadingKind::Point},          {"distance", ReadingKind::Distance},
-      {"sphere", ReadingKind::Sphere},        {"length", ReadingKind::Length}};
+      {"plate", ReadingKind::Plate},          {"point", ReadingKind::Point},
+      {"distance", ReadingKind::Distance},    {"sphere", ReadingKind::Sphere},
+      {"plane", ReadingKind::Plane},          {"plane-perpendicular", ReadingKind::LevelPlane},
+      {"length", ReadingKind::Length},        {"sphere-unknown-radius", ReadingKind::UnknownSphere}};
   auto* kind = parser.add_option("--kind", request->probing.kind,
                                  "for an arm alone, the kind of reading: base (known coordinates in the base frame), "
-                                 "frame (in an unknown frame), point (seats), distance (pairs at a certified "
-                                 "distance), sphere (balls of known radius), length (to unknown anchors)");
+                                 "frame (in an unknown frame), plate (a known pattern at unknown poses), point "
+                                 "(seats), distance (pairs at a certified distance), sphere (balls of known radius), "
+                                 "sphere-unknown-radius, plane (unknown planes; --features 1 for a single one), "
+                                 "plane-perpendicular (all perpendicular to axis 1), length (to unknown anchors)");
   kind->transform(CLI::CheckedTransformer(kinds).description(""))->type_name("KIND");
   parser.add_option("--readings", request->probing.readings, "how many, at random postures")
       ->check(CLI::Range(1, 10'000'000))
       ->needs(kind);
-  parser.add_option("--features", request->probing.features, "points, balls or anchors they are spread over")
+  parser
+      .add_option("--features", request->probing.features,
+                  "points, balls, planes or anchors, or placements of a plate, they are spread over")
       ->check(CLI::Range(1, 100'000))
       ->needs(kind);
   parser.add_option("--seed", request->probing.seed, "of the random postures")->needs(kind);

@@ -43,7 +43,11 @@ const char* name_of(ReadingKind kind) {
     case ReadingKind::FrameCoordinates: return "frame";
     case ReadingKind::Point: return "point";
     case ReadingKind::Distance: return "distance";
+    case ReadingKind::Plate: return "plate";
     case ReadingKind::Sphere: return "sphere";
+    case ReadingKind::UnknownSphere: return "sphere-unknown-radius";
+    case ReadingKind::Plane: return "plane";
+    case ReadingKind::LevelPlane: return "plane-perpendicular";
     case ReadingKind::Length: break;
   }
   return "length";

@@ -10,12 +10,14 @@
 
 #include "artefacts/artefact_file.h"
 #include "artefacts/certificate.h"
+#include "artefacts/unknowns.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
 using Key = std::tuple<int, int, int>;   // artefact, placement, feature
+constexpr double parallel = 0.99999;     // cosine: normals are certified to a quarter of a degree at the worst
 constexpr std::size_t most_known = 200;  // characters of a list in a message: a step gauge has many features
 
 Location location_of(const Artefact& artefact, const CertifiedFeature& feature) {
@@ -23,6 +25,30 @@ Location location_of(const Artefact& artefact, const CertifiedFeature& feature) 
     return Location::Unknown;
   }
   return artefact.frame == CoordinateFrame::Base ? Location::Base : Location::Posed;
+}
+
+Expected<void> check_planes(const Artefact& artefact) {
+  for (const CertifiedFeature& feature : artefact.features) {
+    if (feature.kind == FeatureKind::Plane && feature.at && !feature.normal) {
+      return bad_input(fmt::format("the plane {} of the artefact {} has a certified place but no certified normal",
+                                   in_quotes(feature.name), in_quotes(artefact.name)));
+    }
+  }
+  for (const CertifiedDistance& distance : artefact.distances) {
+    const CertifiedFeature& first = artefact.features[distance.first];
+    const CertifiedFeature& second = artefact.features[distance.second];
+    const auto told = [&](const char* why) {
+      return bad_input(fmt::format("the distance between {} and {} of the artefact {} {}", in_quotes(first.name),
+                                   in_quotes(second.name), in_quotes(artefact.name), why));
+    };
+    if ((first.kind == FeatureKind::Plane) != (second.kind == FeatureKind::Plane)) {
+      return told("lies between a plane and something else, expected two points or centres, or two parallel planes");
+    }
+    if (first.normal && second.normal && std::abs(first.normal->dot(*second.normal)) < parallel) {
+      return told("lies between planes that are not parallel");
+    }
+  }
+  return {};
 }
 
 Expected<int> find_artefact(const Recording& recording, int reading, const std::vector<Artefact>& artefacts) {
@@ -60,9 +86,18 @@ Expected<int> find_feature(const Recording& recording, int reading, const Artefa
                    recording.where(reading));
 }
 
-// Adds what one reading brings of its own; `factor` is the artefact's expansion in this placement.
+Demand demand_of(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::Sphere: return Demand::OnBall;
+    case FeatureKind::Plane: return Demand::OnPlane;
+    case FeatureKind::Anchor: return Demand::AtDistance;
+    default: return Demand::Coincide;
+  }
+}
+
+// Adds what one reading brings of its own.
 Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recording, int index,
-                           const CertifiedFeature& feature, double factor) {
+                           const CertifiedFeature& feature) {
   const Reading& reading = recording.readings[index];
   constraint.readings.push_back(index);
   if (feature.kind == FeatureKind::Coordinates) {
@@ -74,7 +109,7 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
     }
     constraint.known.emplace_back(reading.reference);
   } else if (feature.at) {
-    constraint.known.emplace_back(factor * *feature.at);
+    constraint.known.emplace_back(constraint.expansion * *feature.at);
   }
   if (feature.kind == FeatureKind::Anchor) {
     if (!(reading.length > 0.0)) {
@@ -84,9 +119,6 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
                        recording.where(index));
     }
     constraint.distances.push_back(reading.length);
-  } else if (feature.kind == FeatureKind::Sphere) {
-    const double tip_radius = recording.arm.probes[reading.probe].radius;
-    constraint.distances.push_back(factor * feature.radius.value() + tip_radius);
   }
   return {};
 }
@@ -134,6 +166,11 @@ void warn_of_temperatures(Constraints& constraints, const std::map<std::pair<int
   }
 }
 
+// The certificate's, and at another temperature that of the expansion.
+double uncertainty_at(const CertifiedDistance& distance, const Artefact& artefact, double temperature) {
+  return std::hypot(distance.u, distance.value * (temperature - artefact.reference_temperature) * artefact.u_expansion);
+}
+
 void add_distances(Constraints& constraints, const std::map<Key, int>& index,
                    const std::map<std::pair<int, int>, double>& means) {
   for (const auto& [place, temperature] : means) {
@@ -146,55 +183,9 @@ void add_distances(Constraints& constraints, const std::map<Key, int>& index,
       }
       const bool binds = constraints.features[first->second].location == Location::Unknown &&
                          constraints.features[second->second].location == Location::Unknown;
-      constraints.distances.push_back(
-          {first->second, second->second, distance.value * artefact.expansion_factor(temperature), distance.u, binds});
-    }
-  }
-}
-
-int root_of(std::vector<int>& parent, int i) {
-  while (parent[i] != i) {
-    i = parent[i] = parent[parent[i]];
-  }
-  return i;
-}
-
-// Unknowns are grouped by what ties them together: a distance between two points, or one pose.
-void assign_groups(Constraints& constraints) {
-  std::vector<int> parent(constraints.features.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  std::map<std::pair<int, int>, int> first_posed;
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
-    const auto& feature = constraints.features[i];
-    if (feature.location == Location::Posed) {
-      const auto [entry, is_new] = first_posed.try_emplace({feature.artefact, feature.placement}, i);
-      parent[root_of(parent, i)] = root_of(parent, entry->second);
-    }
-  }
-  for (const auto& distance : constraints.distances) {
-    if (distance.binds) {
-      parent[root_of(parent, distance.second)] = root_of(parent, distance.first);
-    }
-  }
-  constraints.groups.clear();
-  std::map<int, int> group_of_root;
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
-    auto& feature = constraints.features[i];
-    if (feature.location == Location::Base) {
-      feature.group = -1;
-      continue;
-    }
-    const auto [entry, is_new] =
-        group_of_root.try_emplace(root_of(parent, i), static_cast<int>(constraints.groups.size()));
-    if (is_new) {
-      const bool posed = feature.location == Location::Posed;
-      constraints.groups.push_back({posed, posed ? 6 : 0});
-    }
-    feature.group = entry->second;
-    auto& group = constraints.groups[feature.group];
-    if (feature.location == Location::Unknown) {
-      feature.offset = group.size;
-      group.size += 3;
+      constraints.distances.push_back({first->second, second->second,
+                                       distance.value * artefact.expansion_factor(temperature),
+                                       uncertainty_at(distance, artefact, temperature), binds});
     }
   }
 }
@@ -202,7 +193,8 @@ void assign_groups(Constraints& constraints) {
 }  // namespace
 
 int Constraints::unknown_count() const {
-  return std::accumulate(groups.begin(), groups.end(), 0, [](int sum, const auto& group) { return sum + group.size; });
+  return std::accumulate(groups.begin(), groups.end(), static_cast<int>(shared.size()),
+                         [](int sum, const auto& group) { return sum + group.size; });
 }
 
 int Constraints::reading_residual_count() const {
@@ -214,12 +206,21 @@ int Constraints::binding_distance_count() const {
   return static_cast<int>(std::count_if(distances.begin(), distances.end(), [](const auto& d) { return d.binds; }));
 }
 
+int Constraints::certified_shared_count() const {
+  return static_cast<int>(std::count_if(shared.begin(), shared.end(), [](const auto& s) { return s.u > 0.0; }));
+}
+
 FeatureName name_of(const FeatureConstraint& constraint, const Constraints& constraints, const Recording& recording) {
   const Artefact& artefact = constraints.artefacts[constraint.artefact];
   return {artefact.name, recording.placements.name(constraint.placement), artefact.features[constraint.feature].name};
 }
 
 Expected<Constraints> build_constraints(const Recording& recording, std::vector<Artefact> artefacts) {
+  for (const Artefact& artefact : artefacts) {
+    if (auto sound = check_planes(artefact); !sound) {
+      return tl::unexpected(sound.error());
+    }
+  }
   Constraints constraints;
   constraints.artefacts = std::move(artefacts);
   std::vector<int> artefact_of(recording.readings.size());
@@ -249,13 +250,13 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
       added.placement = placement;
       added.feature = *f;
       added.location = location_of(artefact, feature);
-      added.demand = feature.kind == FeatureKind::Sphere || feature.kind == FeatureKind::Anchor ? Demand::AtDistance
-                                                                                                : Demand::Coincide;
+      added.demand = demand_of(feature.kind);
       added.u = feature.u;
+      added.expansion = artefact.expansion_factor(means.at({a, placement}));
+      added.normal = feature.normal.value_or(Eigen::Vector3d::Zero());
+      added.radius = added.expansion * feature.radius.value_or(0.0);
     }
-    if (auto read = add_reading(constraints.features[entry->second], recording, i, feature,
-                                artefact.expansion_factor(means.at({a, placement})));
-        !read) {
+    if (auto read = add_reading(constraints.features[entry->second], recording, i, feature); !read) {
       return tl::unexpected(read.error());
     }
   }
@@ -264,7 +265,7 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
   for (auto& warning : certificate_warnings(constraints.artefacts, recording.date)) {
     constraints.warnings.push_back(std::move(warning));
   }
-  assign_groups(constraints);
+  assign_unknowns(constraints);
   return constraints;
 }
 
@@ -294,7 +295,7 @@ Expected<Constraints> read_constraints(Recording& recording) {
 }
 
 Constraints without_features(const Constraints& constraints, const std::vector<bool>& drop) {
-  Constraints kept{constraints.artefacts, {}, {}, {}, constraints.warnings};
+  Constraints kept{constraints.artefacts, {}, {}, {}, {}, constraints.warnings};
   std::vector<int> new_index(constraints.features.size(), -1);
   for (std::size_t i = 0; i < constraints.features.size(); ++i) {
     if (!drop[i]) {
@@ -309,8 +310,18 @@ Constraints without_features(const Constraints& constraints, const std::vector<b
       kept.distances.push_back(distance);
     }
   }
-  assign_groups(kept);
+  assign_unknowns(kept);
   return kept;
+}
+
+Constraints balls_as_points(Constraints constraints) {
+  for (auto& feature : constraints.features) {
+    if (feature.demand == Demand::OnBall) {
+      feature.demand = Demand::Coincide;
+    }
+  }
+  assign_unknowns(constraints);
+  return constraints;
 }
 
 }  // namespace artcal

@@ -123,30 +123,97 @@ VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, 
   return {recorder.finish(), {artefact}};
 }
 
-// Points, balls and anchors: readings spread evenly over features at random places.
+FeatureKind feature_kind_of(ReadingKind kind) {
+  switch (kind) {
+    case ReadingKind::Sphere:
+    case ReadingKind::UnknownSphere: return FeatureKind::Sphere;
+    case ReadingKind::Plane:
+    case ReadingKind::LevelPlane: return FeatureKind::Plane;
+    case ReadingKind::Length: return FeatureKind::Anchor;
+    default: return FeatureKind::Point;
+  }
+}
+
+// The first axis in the base frame.
+Eigen::Vector3d first_axis(const Arm& arm) {
+  const Joint& joint = arm.joints.front();
+  return arm.convention == Convention::Standard
+             ? Eigen::Vector3d::UnitZ()
+             : Eigen::Vector3d(Eigen::AngleAxisd(joint.alpha, Eigen::Vector3d::UnitX()) *
+                               Eigen::AngleAxisd(joint.beta, Eigen::Vector3d::UnitY()) * Eigen::Vector3d::UnitZ());
+}
+
+/// A feature somewhere in the volume, and where the tip may be on it.
+struct Somewhere {
+  FeatureKind kind;
+  Eigen::Vector3d centre;
+  Eigen::Vector3d normal;
+  double ball;
+
+  [[nodiscard]] Eigen::Vector3d target(const Arm& arm, RandomStream& random) const {
+    switch (kind) {
+      case FeatureKind::Sphere: return centre + ball * random.direction();
+      case FeatureKind::Anchor: return tip_of(arm, random_posture(arm, random));
+      case FeatureKind::Plane: {
+        const Eigen::Vector3d anywhere = tip_of(arm, random_posture(arm, random));
+        return anywhere - normal.dot(anywhere - centre) * normal;
+      }
+      default: return centre;
+    }
+  }
+};
+
+// Points, balls, planes and anchors: readings spread evenly over features at random places.
 VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
-  const FeatureKind kind = options.kind == ReadingKind::Sphere   ? FeatureKind::Sphere
-                           : options.kind == ReadingKind::Length ? FeatureKind::Anchor
-                                                                 : FeatureKind::Point;
+  const FeatureKind kind = feature_kind_of(options.kind);
   Artefact artefact;
   artefact.name = "features";
   Recorder recorder(arm, artefact.name);
-  const double ball = options.ball_radius + arm.probes.front().radius;
   int misses = 0;
   for (int f = 0; f < options.features && misses < most_misses; ++f) {
     const std::string name = fmt::format("{}", f + 1);
     artefact.features.push_back(feature_called(name, kind));
-    if (kind == FeatureKind::Sphere) {
+    if (options.kind == ReadingKind::Sphere) {
       artefact.features.back().radius = options.ball_radius;
     }
-    const Eigen::Vector3d centre = tip_of(arm, random_posture(arm, random));
+    Somewhere place{kind, tip_of(arm, random_posture(arm, random)), first_axis(arm),
+                    options.ball_radius + arm.probes.front().radius};
+    if (options.kind == ReadingKind::Plane) {
+      place.normal = random.direction();
+    }
     const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
     for (int i = 0; i < count && misses < most_misses;) {
-      const Eigen::Vector3d target = kind == FeatureKind::Sphere   ? centre + ball * random.direction()
-                                     : kind == FeatureKind::Anchor ? tip_of(arm, random_posture(arm, random))
-                                                                   : centre;
+      const Eigen::Vector3d target = place.target(arm, random);
       if (const auto q = posture_on(arm, target, random)) {
-        recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - centre).norm() : nan);
+        recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - place.centre).norm() : nan);
+        ++i;
+        misses = 0;
+      } else {
+        ++misses;
+      }
+    }
+  }
+  return {recorder.finish(), {artefact}};
+}
+
+// A plate of three by three points, somewhere else in each placement; the readings go round over its points.
+VirtualRecording probe_plate(const Arm& arm, const VirtualProbing& options, RandomStream& random) {
+  const double pitch = 0.5 * (options.distance > 0.0 ? options.distance : 0.25 * reach(arm));
+  Artefact artefact;
+  artefact.name = "plate";
+  for (int i = 0; i < 9; ++i) {
+    artefact.features.push_back(feature_called(fmt::format("{}", i + 1), FeatureKind::Point));
+    artefact.features.back().at = pitch * Eigen::Vector3d(i % 3 - 1, i / 3 - 1, 0.0);
+  }
+  Recorder recorder(arm, artefact.name);
+  int misses = 0;
+  for (int p = 0; p < options.features; ++p) {
+    const Rigid base_from_plate{random.rotation(), 0.6 * tip_of(arm, random_posture(arm, random))};
+    const int count = options.readings / options.features + (p < options.readings % options.features ? 1 : 0);
+    for (int i = 0, point = 0; i < count && misses < most_misses; ++point) {
+      const CertifiedFeature& feature = artefact.features[point % 9];
+      if (const auto q = posture_on(arm, base_from_plate * *feature.at, random)) {
+        recorder.add(*q, fmt::format("{}", p + 1), feature.name, no_reference, nan);
         ++i;
         misses = 0;
       } else {
@@ -188,6 +255,7 @@ VirtualRecording probe_virtually(const Arm& arm, const VirtualProbing& options) 
     case ReadingKind::BaseCoordinates:
     case ReadingKind::FrameCoordinates: return probe_coordinates(arm, options, random);
     case ReadingKind::Distance: return probe_distances(arm, options, random);
+    case ReadingKind::Plate: return probe_plate(arm, options, random);
     default: return probe_features(arm, options, random);
   }
 }

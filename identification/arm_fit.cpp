@@ -27,7 +27,7 @@ double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, 
     const double unbias = std::sqrt(static_cast<double>(sizes.size()) / degrees_of_freedom);
     return 1.4826 * median(sizes) * unbias;
   }
-  const double left = std::max(0.5 * degrees_of_freedom, degrees_of_freedom - residuals.distances_squared());
+  const double left = std::max(0.5 * degrees_of_freedom, degrees_of_freedom - residuals.certificates_squared());
   return std::sqrt(residuals.readings_squared() / left);
 }
 
@@ -42,7 +42,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     return tl::unexpected(unknowns.error());
   }
   ArmFit fit;
-  const int residuals = constraints.reading_residual_count() + constraints.binding_distance_count();
+  const int residuals = constraints.residual_count();
   fit.degrees_of_freedom = residuals - constraints.unknown_count() - system.arm_size();
   if (fit.degrees_of_freedom < 1) {
     return no_solution(

@@ -4,15 +4,20 @@
 
 namespace artcal {
 
-/// Moves readings, by the smallest change of their joints, to where their constraints want the tip.
+/// Moves readings, by small changes of their joints, to where their constraints want the tip: onto their unknown
+/// point, onto their unknown plane, or onto their ball.
 ///
-/// Why: a lost frame is lost for the cost, not for each residual vector. Turning the base turns the
-/// residuals of readings that do not meet in their common point, and at the nominal arm, some mm off, that
-/// makes a lost parameter look determined. With the readings on their points the rank is what it is for a
-/// perfect arm. Only readings of unknown points need it: other residuals do not see the base move.
+/// Why: what is lost is lost for the cost, not for each residual vector. Turning the base turns the residuals of
+/// readings that do not meet in their common point, and letting all lengths grow lets the residuals of any
+/// reading without a certified length grow; at the nominal arm, some mm off, that makes lost parameters look
+/// determined. With the readings on their constraints the rank is what it is for a perfect arm.
+/// Only what is not certified needs it: readings of unknown points and planes, and of balls of unknown radius.
 ///
 /// REQUIRES: `unknowns` satisfy the distances. Changes System::sines; returns how many readings could not
 /// be moved (an arm stretched out, say), whose constraints are left as they are.
 int make_consistent(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns);
+
+/// Whether make_consistent() moves the readings of this feature.
+bool needs_moving(const FeatureConstraint& feature, const Constraints& constraints);
 
 }  // namespace artcal

@@ -20,6 +20,10 @@ constexpr double longest_arm = 1e5;
 // Below this, relative to the largest coefficient and in physical units, a parameter takes no part.
 constexpr double no_part = 1e-7;
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::vector<int> indices_of(const std::vector<Parameter>& parameters, const std::vector<std::string>& names) {
   std::vector<int> indices;
   for (const auto& name : names) {
@@ -126,9 +130,8 @@ void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eig
 // Whether the analysis leaves readings and unknowns where they are (make_consistent, satisfy_distances).
 bool is_as_read(const Constraints& constraints) {
   return constraints.binding_distance_count() == 0 &&
-         std::none_of(constraints.features.begin(), constraints.features.end(), [](const FeatureConstraint& feature) {
-           return feature.location == Location::Unknown && feature.demand == Demand::Coincide;
-         });
+         std::none_of(constraints.features.begin(), constraints.features.end(),
+                      [&](const FeatureConstraint& feature) { return needs_moving(feature, constraints); });
 }
 
 }  // namespace
@@ -163,8 +166,9 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   CouplingAnalysis analysis;
   Coupling& coupling = analysis.coupling;
-  for (const auto& parameter : parameters_of(arm)) {
-    if (std::find(options.not_asked.begin(), options.not_asked.end(), parameter.name) == options.not_asked.end()) {
+  for (const auto& parameter : parameters_with_radii(arm)) {
+    const bool asked = parameter.kind != ParameterKind::Radius || contains(options.radii_asked, parameter.name);
+    if (asked && !contains(options.not_asked, parameter.name)) {
       coupling.parameters.push_back(parameter);
     }
   }
@@ -176,7 +180,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   satisfy_distances(constraints, *unknowns);
   coupling.readings_not_moved = make_consistent(system, recording, arm, *unknowns);
-  coupling.residual_count = constraints.reading_residual_count() + constraints.binding_distance_count();
+  coupling.residual_count = constraints.residual_count();
   coupling.unknown_count = constraints.unknown_count();
 
   // Weights are inverse standard deviations; times the noise, singular values are in mm per mm.
@@ -190,7 +194,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
 
   std::vector<std::string> order = options.rather_held;
   for (const auto& name : default_hold_order(arm)) {
-    if (std::find(options.rather_free.begin(), options.rather_free.end(), name) == options.rather_free.end()) {
+    if (!contains(options.rather_free, name)) {
       order.push_back(name);
     }
   }

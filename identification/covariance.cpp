@@ -20,7 +20,7 @@ double WhitenedResiduals::readings_squared() const {
                          [](double sum, const auto& feature) { return sum + squared(feature); });
 }
 
-double WhitenedResiduals::distances_squared() const { return squared(distances); }
+double WhitenedResiduals::certificates_squared() const { return squared(distances) + squared(shared); }
 
 WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
                                      const Unknowns& unknowns) {
@@ -30,18 +30,23 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
   WhitenedResiduals residuals;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    const GroupState& group = feature.group < 0 ? none : unknowns[feature.group];
+    const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
     auto& out = residuals.readings.emplace_back(static_cast<std::size_t>(feature.size() * feature.dimension()));
-    weighted_rows(system, feature, weights.features[f], sweeps, group.reference, group.values.data(), 0, feature.size(),
-                  {1, out.data()});
+    weighted_rows(system, feature, weights.features[f], sweeps,
+                  FeatureResidual(feature, group.reference, group.values.data(), unknowns.shared.data()), 0,
+                  feature.size(), {1, out.data()});
   }
   for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
     const DistanceConstraint& distance = constraints.distances[d];
     if (distance.binds) {
-      const auto& values = unknowns[constraints.features[distance.first].group].values;
+      const auto& values = unknowns.groups[constraints.features[distance.first].group].values;
       residuals.distances.push_back(
           weighted_distance(distance, constraints, weights.distances[d], values.data(), nullptr));
     }
+  }
+  for (std::size_t s = 0; s < constraints.shared.size(); ++s) {
+    residuals.shared.push_back(
+        weighted_shared(constraints.shared[s], weights.shared[s], unknowns.shared[static_cast<Eigen::Index>(s)]));
   }
   return residuals;
 }

@@ -18,9 +18,10 @@ std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, cons
 struct WhitenedResiduals {
   std::vector<std::vector<double>> readings;  ///< by feature: dimension() numbers a reading
   std::vector<double> distances;              ///< of the binding distances
+  std::vector<double> shared;                 ///< of Constraints::shared: found − certified; 0 where uncertified
 
   [[nodiscard]] double readings_squared() const;
-  [[nodiscard]] double distances_squared() const;
+  [[nodiscard]] double certificates_squared() const;  ///< of distances and shared
 };
 WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
                                      const Unknowns& unknowns);

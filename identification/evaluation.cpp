@@ -33,11 +33,21 @@ struct Sum {
 
 Eigen::Vector3d point_in_base(const FeatureConstraint& feature, const Unknowns& unknowns) {
   switch (feature.location) {
-    case Location::Unknown: return unknowns[feature.group].values.segment<3>(feature.offset);
-    case Location::Posed: return base_from_artefact(unknowns[feature.group]) * feature.known.front();
+    case Location::Unknown: return unknowns.groups[feature.group].values.segment<3>(feature.offset);
+    case Location::Posed: return base_from_artefact(unknowns.groups[feature.group]) * feature.known.front();
     case Location::Base: break;
   }
   return feature.known.front();
+}
+
+double measured(const DistanceConstraint& distance, const Constraints& constraints, const Unknowns& unknowns) {
+  const FeatureConstraint& first = constraints.features[distance.first];
+  const FeatureConstraint& second = constraints.features[distance.second];
+  if (distance.binds && first.demand == Demand::OnPlane) {
+    const Eigen::VectorXd& values = unknowns.groups[first.group].values;
+    return std::abs(values[second.offset] - values[first.offset]);
+  }
+  return (point_in_base(first, unknowns) - point_in_base(second, unknowns)).norm();
 }
 
 }  // namespace
@@ -55,13 +65,13 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   Sum overall;
   for (const auto& feature : constraints.features) {
     const GroupState none;
-    const GroupState& group = feature.group < 0 ? none : (*unknowns)[feature.group];
-    const FeatureResidual residual(feature, group.reference, group.values.data());
+    const GroupState& group = feature.group < 0 ? none : unknowns->groups[feature.group];
+    const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns->shared.data());
     Sum sum;
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
-      const Eigen::Vector3d tip = sweeps[system.probes[reading]].tip_in_base(system.sines_of(reading));
-      const Residual r = residual.at(k, tip, false);
+      const Sweep& sweep = sweeps[system.probes[reading]];
+      const Residual r = residual.at(k, sweep.tip_in_base(system.sines_of(reading)), sweep.tip_radius(), false);
       evaluation.deviations.push_back(r.rows == 1 ? r.value[0] : r.value.norm());
       sum.add(evaluation.deviations.back());
     }
@@ -81,10 +91,9 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   for (const auto& distance : constraints.distances) {
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
-    const double measured = (point_in_base(first, *unknowns) - point_in_base(second, *unknowns)).norm();
     evaluation.lengths.push_back({name_of(first, constraints, recording),
                                   name_of(second, constraints, recording).feature, distance.value,
-                                  measured - distance.value});
+                                  measured(distance, constraints, *unknowns) - distance.value});
   }
   return evaluation;
 }

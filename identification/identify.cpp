@@ -35,7 +35,8 @@ Error scale_is_lost() {
       ErrorCode::NoSolution,
       "no calibrated length is in these readings, so the scale of the arm cannot be told: all lengths could grow "
       "together and every reading would still fit. Measure a certified length as well: a ball bar or a bar with two "
-      "seats (at least one distance with its U), balls of known diameter, or points of known coordinates",
+      "seats or parallel faces (at least one distance with its U), balls of known diameter, or points of known "
+      "coordinates",
       {}};
 }
 
@@ -99,8 +100,11 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
     return std::any_of(pairs.begin(), pairs.end(),
                        [&](const WristPair& pair) { return pair.first == name || pair.second == name; });
   };
-  for (const Parameter& parameter : parameters_of(nominal)) {
+  for (const Parameter& parameter : parameters_with_radii(nominal)) {
     const int free = find_parameter(preparation.free, parameter.name);
+    if (parameter.kind == ParameterKind::Radius && free < 0) {
+      continue;  // known, and no part of this
+    }
     const ParameterState state = free >= 0                                             ? ParameterState::Identified
                                  : is_lost(parameter.name) && !in_pair(parameter.name) ? ParameterState::Lost
                                                                                        : ParameterState::Held;
@@ -151,7 +155,7 @@ std::vector<std::string> suspicions(const Identification& result, double length)
 void judge_noise(const ArmFit& fit, Identification& result) {
   result.noise = fit.noise;
   result.degrees_of_freedom = fit.degrees_of_freedom;
-  result.chi_squared = fit.residuals.readings_squared() + fit.residuals.distances_squared();
+  result.chi_squared = fit.residuals.readings_squared() + fit.residuals.certificates_squared();
   result.chi_squared_low = chi_squared_quantile(0.025, fit.degrees_of_freedom);
   result.chi_squared_high = chi_squared_quantile(0.975, fit.degrees_of_freedom);
   if (!result.noise_is_given) {
@@ -208,7 +212,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.covariance = result.enlargement * result.enlargement * *covariance;
   result.parameters = describe(recording.arm, fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
-    result.free.push_back(find_parameter(parameters_of(recording.arm), parameter.name));
+    const auto found = std::find_if(result.parameters.begin(), result.parameters.end(),
+                                    [&](const auto& described) { return described.parameter.name == parameter.name; });
+    result.free.push_back(static_cast<int>(found - result.parameters.begin()));
   }
   result.before = *before;
   result.after = *after;

@@ -41,35 +41,45 @@ std::vector<Block> blocks_of(const Constraints& constraints) {
       blocks[constraints.features[distance.first].group + 1].distances.push_back(d);
     }
   }
+  blocks.front().has_shared = !constraints.shared.empty();
   return blocks;
 }
 
 Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Loss loss, const Block& block,
-                               const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference,
-                               const double* values) {
-  const int arm_size = system.arm_size();
-  const int columns = block.unknowns + arm_size + 1;
+                               const std::vector<Sweep>& sweeps, const BlockPoint& point) {
+  const Constraints& constraints = *system.constraints;
+  const int before_arm = block.unknowns + system.shared_size();
+  const int columns = before_arm + system.arm_size() + 1;
   TriangularFactor factor(columns);
   RowMatrix rows(3 * readings_at_once, columns);
   double beyond = 0.0;
   for (const int f : block.features) {
-    const FeatureConstraint& feature = system.constraints->features[f];
-    rows.leftCols(block.unknowns).setZero();  // each feature fills its own columns only
+    const FeatureConstraint& feature = constraints.features[f];
+    const FeatureResidual residual(feature, point.reference, point.values, point.shared);
+    rows.leftCols(before_arm).setZero();  // each feature fills its own columns only
     for (int first = 0; first < feature.size(); first += readings_at_once) {
       const int count = std::min(readings_at_once, feature.size() - first);
-      weighted_rows(system, feature, weights.features[f], sweeps, reference, values, first, count,
-                    {columns, rows.data() + columns - 1, rows.data() + block.unknowns,
-                     block.unknowns > 0 ? rows.data() : nullptr});
+      weighted_rows(
+          system, feature, weights.features[f], sweeps, residual, first, count,
+          {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
+           system.shared_size() > 0 ? rows.data() + block.unknowns : nullptr});
       if (loss != Loss::None) {
         beyond += reweight(loss, feature.dimension(), rows.topRows(count * feature.dimension()));
       }
       factor.add(rows.data(), count * feature.dimension());
     }
   }
+  Eigen::RowVectorXd row(columns);
   for (const int d : block.distances) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(columns);
-    row[columns - 1] = weighted_distance(system.constraints->distances[d], *system.constraints, weights.distances[d],
-                                         values, row.data());
+    row.setZero();
+    row[columns - 1] =
+        weighted_distance(constraints.distances[d], constraints, weights.distances[d], point.values, row.data());
+    factor.add(row.data(), 1);
+  }
+  for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+    row.setZero();
+    row[block.unknowns + s] = weights.shared[s];
+    row[columns - 1] = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
     factor.add(row.data(), 1);
   }
   Eigen::MatrixXd triangle = factor.triangle();
@@ -79,12 +89,14 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
 }
 
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
-                  const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* values) {
+                  const std::vector<Sweep>& sweeps, const BlockPoint& point) {
+  const Constraints& constraints = *system.constraints;
   double sum = 0.0;
   for (const int f : block.features) {
-    const FeatureConstraint& feature = system.constraints->features[f];
+    const FeatureConstraint& feature = constraints.features[f];
     RowMatrix residuals(feature.size() * feature.dimension(), 1);
-    weighted_rows(system, feature, weights.features[f], sweeps, reference, values, 0, feature.size(),
+    weighted_rows(system, feature, weights.features[f], sweeps,
+                  FeatureResidual(feature, point.reference, point.values, point.shared), 0, feature.size(),
                   {1, residuals.data()});
     if (loss != Loss::None) {
       sum += reweight(loss, feature.dimension(), residuals);
@@ -93,7 +105,11 @@ double block_cost(const System& system, const Weights& weights, Loss loss, const
   }
   for (const int d : block.distances) {
     const double residual =
-        weighted_distance(system.constraints->distances[d], *system.constraints, weights.distances[d], values, nullptr);
+        weighted_distance(constraints.distances[d], constraints, weights.distances[d], point.values, nullptr);
+    sum += residual * residual;
+  }
+  for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+    const double residual = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
     sum += residual * residual;
   }
   return sum;
@@ -104,26 +120,29 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
   const auto sweeps = sweeps_of(system, arm);
   const auto blocks = blocks_of(*system.constraints);
   Linearisation result;
+  result.shared = system.shared_size();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const GroupState none;
-    const GroupState& group = b == 0 ? none : unknowns[b - 1];
-    result.triangles.push_back(
-        block_triangle(system, weights, loss, blocks[b], sweeps, group.reference, group.values.data()));
+    const GroupState& group = b == 0 ? none : unknowns.groups[b - 1];
+    result.triangles.push_back(block_triangle(system, weights, loss, blocks[b], sweeps,
+                                              {group.reference, group.values.data(), unknowns.shared.data()}));
   }
   return result;
 }
 
 Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size) {
-  TriangularFactor factor(arm_size);
+  const int common = linearisation.shared + arm_size;
+  TriangularFactor factor(common);
   for (const Eigen::MatrixXd& triangle : linearisation.triangles) {
-    const auto unknowns = static_cast<int>(triangle.cols()) - 1 - arm_size;
-    factor.add(eliminate_leading(triangle.topLeftCorner(unknowns + arm_size, unknowns + arm_size), unknowns));
+    const auto unknowns = static_cast<int>(triangle.cols()) - 1 - common;
+    factor.add(eliminate_leading(triangle.topLeftCorner(unknowns + common, unknowns + common), unknowns));
   }
-  return factor.triangle();
+  return eliminate_leading(factor.triangle(), linearisation.shared);
 }
 
 Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept) {
   Linearisation result;
+  result.shared = linearisation.shared;
   for (const Eigen::MatrixXd& triangle : linearisation.triangles) {
     const Eigen::Index unknowns = triangle.cols() - 1 - arm_size;
     const auto size = static_cast<Eigen::Index>(kept.size());

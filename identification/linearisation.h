@@ -19,30 +19,44 @@ namespace artcal {
 /// the cost ½Σρ has beyond that is added to the last diagonal element, which no step can change (ρ is
 /// concave, so that ρ(s) ≥ s·ρ'(s)).
 struct Linearisation {
-  /// First the readings that have no unknowns, then each group of Constraints::groups. Square, upper
-  /// triangular; columns: the group's unknowns, System::free, the residual.
+  /// First the readings that have no unknowns of their own, and what certificates say of the shared ones; then
+  /// each group of Constraints::groups. Square, upper triangular; columns: the group's unknowns, the shared
+  /// ones, System::free, the residual.
   std::vector<Eigen::MatrixXd> triangles;
+  int shared = 0;  ///< columns of shared unknowns
 };
 
-/// Readings and distances of one block of a Linearisation, index 0 being those without unknowns.
+/// Readings and distances of one block of a Linearisation, index 0 being those without unknowns of their own.
 struct Block {
   int unknowns = 0;            ///< size of its group
+  bool has_shared = false;     ///< what certificates say of the shared unknowns counts here
   std::vector<int> features;   ///< into Constraints::features
   std::vector<int> distances;  ///< into Constraints::distances, binding ones
 };
 std::vector<Block> blocks_of(const Constraints& constraints);
 
-/// The triangle of one block. `reference` and `values` belong to its group.
+/// Where a block is taken: its group's reference and values, and those of the shared unknowns.
+struct BlockPoint {
+  const GroupReference& reference;
+  const double* values = nullptr;
+  const double* shared = nullptr;
+};
+
+/// The triangle of one block.
 Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Loss loss, const Block& block,
-                               const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference,
-                               const double* values);
+                               const std::vector<Sweep>& sweeps, const BlockPoint& point);
 
 /// Σρ of one block: twice its cost.
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
-                  const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* values);
+                  const std::vector<Sweep>& sweeps, const BlockPoint& point);
 
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const Arm& arm,
                         const Unknowns& unknowns);
+
+/// Weighted residual of what a certificate says of a shared unknown at `value`; its derivative is the weight.
+inline double weighted_shared(const SharedUnknown& shared, double weight, double value) {
+  return weight * (value - shared.certified);
+}
 
 /// The triangle of the arm's parameters alone, all unknowns eliminated: at most one row a parameter.
 Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size);

@@ -66,6 +66,11 @@ std::string lost_as_motion(const Coupling& coupling, const ParameterMotion& moti
 std::string lost_in_words(const Coupling& coupling, const ParameterMotion& motion) {
   const auto terms = terms_of(coupling, motion);
   const std::string& held = coupling.parameters[motion.leading].name;
+  if (terms.size() == 1 && terms.front().parameter->kind == ParameterKind::Radius) {
+    return fmt::format(
+        "{} cannot be told: only its sum with the unknown radius of a ball or the unknown place of a plane is seen",
+        held);
+  }
   if (terms.size() == 1) {
     return fmt::format("{} cannot be told at all", held);
   }

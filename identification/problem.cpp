@@ -11,48 +11,50 @@
 namespace artcal {
 namespace {
 
-/// One block of the linearisation as a Ceres cost. Parameter blocks: the arm's x and, where there are any,
-/// the group's unknowns. Residuals and Jacobian are the triangle's last column and the others: cost,
-/// gradient and normal matrix are those of all the rows behind them. Where only the cost is wanted, its
-/// root stands in the last residual.
+/// One block of the linearisation as a Ceres cost. Parameter blocks: what all blocks have in common (the
+/// shared unknowns, then the arm's x) and, where there are any, the group's unknowns. Residuals and Jacobian
+/// are the triangle's last column and the others: cost, gradient and normal matrix are those of all the rows
+/// behind them. Where only the cost is wanted, its root stands in the last residual.
 class BlockCost final : public ceres::CostFunction {
  public:
-  BlockCost(const System& system, const Weights& weights, Loss loss, Block block, const Eigen::Matrix3d& reference,
+  BlockCost(const System& system, const Weights& weights, Loss loss, Block block, GroupReference reference,
             const Eigen::MatrixXd* at_start, Eigen::MatrixXd& triangle)
       : system_(system),
         weights_(weights),
         loss_(loss),
         block_(std::move(block)),
-        reference_(reference),
+        reference_(std::move(reference)),
         at_start_(at_start),
         triangle_(triangle) {
-    set_num_residuals(block_.unknowns + system.arm_size() + 1);
-    mutable_parameter_block_sizes()->push_back(system.arm_size());
+    const int common = system.shared_size() + system.arm_size();
+    set_num_residuals(block_.unknowns + common + 1);
+    mutable_parameter_block_sizes()->push_back(common);
     if (block_.unknowns > 0) {
       mutable_parameter_block_sizes()->push_back(block_.unknowns);
     }
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const double* values = block_.unknowns > 0 ? parameters[1] : nullptr;
+    const BlockPoint point{reference_, block_.unknowns > 0 ? parameters[1] : nullptr, parameters[0]};
+    const double* x = parameters[0] + system_.shared_size();
     Eigen::Map<Eigen::VectorXd> out(residuals, num_residuals());
     if (jacobians == nullptr) {
-      const auto sweeps = sweeps_of(system_, system_.arm_at(parameters[0]));
+      const auto sweeps = sweeps_of(system_, system_.arm_at(x));
       out.setZero();
-      out[out.size() - 1] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps, reference_, values));
+      out[out.size() - 1] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps, point));
       return true;
     }
     if (at_start_ != nullptr) {
       triangle_ = *at_start_;  // Ceres evaluates first where it starts
       at_start_ = nullptr;
     } else {
-      const auto sweeps = sweeps_of(system_, system_.arm_at(parameters[0]));
-      triangle_ = block_triangle(system_, weights_, loss_, block_, sweeps, reference_, values);
+      const auto sweeps = sweeps_of(system_, system_.arm_at(x));
+      triangle_ = block_triangle(system_, weights_, loss_, block_, sweeps, point);
     }
     out = triangle_.rightCols<1>();
-    const int arm = system_.arm_size();
+    const int common = parameter_block_sizes().front();
     if (jacobians[0] != nullptr) {
-      Eigen::Map<RowMatrix>(jacobians[0], out.size(), arm) = triangle_.middleCols(block_.unknowns, arm);
+      Eigen::Map<RowMatrix>(jacobians[0], out.size(), common) = triangle_.middleCols(block_.unknowns, common);
     }
     if (block_.unknowns > 0 && jacobians[1] != nullptr) {
       Eigen::Map<RowMatrix>(jacobians[1], out.size(), block_.unknowns) = triangle_.leftCols(block_.unknowns);
@@ -65,7 +67,7 @@ class BlockCost final : public ceres::CostFunction {
   const Weights& weights_;
   Loss loss_;
   Block block_;
-  Eigen::Matrix3d reference_;
+  GroupReference reference_;
   mutable const Eigen::MatrixXd* at_start_;
   Eigen::MatrixXd& triangle_;  // the last one evaluated: at the end, the solution's
 };
@@ -100,25 +102,28 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
 }
 
-/// The solver's numbers in one piece of memory: the groups' unknowns, then the arm's x. Ceres orders
-/// parameter blocks of one elimination group by address; one piece makes that the order of the groups,
-/// whatever the heap looks like, and so the sums and their bits the same on every run.
+/// The solver's numbers in one piece of memory: the groups' unknowns, then the shared ones and the arm's x.
+/// Ceres orders parameter blocks of one elimination group by address; one piece makes that the order of the
+/// groups, whatever the heap looks like, and so the sums and their bits the same on every run.
 class Numbers {
  public:
   Numbers(const Eigen::VectorXd& x, const Unknowns& unknowns) {
-    for (const GroupState& group : unknowns) {
+    for (const GroupState& group : unknowns.groups) {
       append(group.values);
     }
-    append(x);
+    append(unknowns.shared);
+    all_.insert(all_.end(), x.begin(), x.end());
   }
   double* group(std::size_t index) { return all_.data() + starts_[index]; }
-  double* x() { return group(starts_.size() - 1); }
+  double* common() { return group(starts_.size() - 1); }
 
   void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
-    for (std::size_t g = 0; g < unknowns.size(); ++g) {
-      unknowns[g].values = Eigen::VectorXd::Map(group(g), unknowns[g].values.size());
+    for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
+      auto& values = unknowns.groups[g].values;
+      values = Eigen::VectorXd::Map(group(g), values.size());
     }
-    x_out = Eigen::VectorXd::Map(x(), x_out.size());
+    unknowns.shared = Eigen::VectorXd::Map(common(), unknowns.shared.size());
+    x_out = Eigen::VectorXd::Map(common() + unknowns.shared.size(), x_out.size());
   }
 
  private:
@@ -139,6 +144,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   solution.unknowns = std::move(start);
   Numbers numbers(solution.x, solution.unknowns);
   const auto blocks = blocks_of(*system.constraints);
+  solution.linearisation.shared = system.shared_size();
   solution.linearisation.triangles.resize(blocks.size());
   ceres::Problem problem;
   ceres::Solver::Options ceres_options = solver_options(options);
@@ -148,17 +154,17 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   if (blocks.size() > 1) {
     ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
     ceres_options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    ceres_options.linear_solver_ordering->AddElementToGroup(numbers.x(), 1);
+    ceres_options.linear_solver_ordering->AddElementToGroup(numbers.common(), 1);
   }
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    Eigen::Matrix3d reference = Eigen::Matrix3d::Identity();
-    std::vector<double*> parameter_blocks{numbers.x()};
+    GroupReference reference;
+    std::vector<double*> parameter_blocks{numbers.common()};
     if (b > 0) {
-      reference = solution.unknowns[b - 1].reference;
+      reference = solution.unknowns.groups[b - 1].reference;
       parameter_blocks.push_back(numbers.group(b - 1));
       ceres_options.linear_solver_ordering->AddElementToGroup(numbers.group(b - 1), 0);
     }
-    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, blocks[b], reference,
+    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, blocks[b], std::move(reference),
                                             at_start == nullptr ? nullptr : &at_start->triangles[b],
                                             solution.linearisation.triangles[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);

@@ -1,5 +1,6 @@
 #include "identification/rows.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace artcal {
@@ -35,11 +36,10 @@ void put_arm_rows(double weight, const std::vector<double>& derivative, const Ei
 }  // namespace
 
 void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
-                   const std::vector<Sweep>& sweeps, const Eigen::Matrix3d& reference, const double* group_values,
-                   int first, int count, const RowsOut& out) {
-  const FeatureResidual residual(feature, reference, group_values);
+                   const std::vector<Sweep>& sweeps, const FeatureResidual& residual, int first, int count,
+                   const RowsOut& out) {
   const int rows = feature.dimension();
-  const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr;
+  const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr || out.by_shared != nullptr;
   const bool plain =
       weights.matrix.empty() && feature.demand == Demand::Coincide && feature.location != Location::Posed;
   std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
@@ -50,7 +50,7 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
     const Eigen::Vector3d tip = out.by_arm != nullptr
                                     ? sweep.tip_in_base(system.sines_of(reading), by_parameters.data())
                                     : sweep.tip_in_base(system.sines_of(reading));
-    const Residual r = residual.at(k, tip, derivatives);
+    const Residual r = residual.at(k, tip, sweep.tip_radius(), derivatives);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const std::ptrdiff_t at = i * rows * out.stride;
@@ -66,11 +66,25 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
         tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
         put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, out.by_arm + at, out.stride);
       }
+      if (const int column = sweep.radius_column(); column >= 0 && rows == 1) {
+        out.by_arm[at + column] = whitening(0, 0) * r.by_tip_radius * system.scale[column];
+      }
     }
     if (out.by_group != nullptr) {
-      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_group + at + residual.first_column(), rows,
-                                                           residual.columns(), Eigen::OuterStride<>(out.stride));
-      lines = whitening.topLeftCorner(rows, rows) * r.by_unknowns.topLeftCorner(rows, residual.columns());
+      for (int column = 0; column < residual.columns(); ++column) {
+        const Eigen::Vector3d slope = whitening.leftCols(rows) * r.by_unknowns.col(column).head(rows);
+        for (int row = 0; row < rows; ++row) {
+          out.by_group[at + row * out.stride + residual.column(column)] = slope[row];
+        }
+      }
+    }
+    if (out.by_shared != nullptr && feature.first_error >= 0) {
+      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_shared + at + feature.first_error, rows, 3,
+                                                           Eigen::OuterStride<>(out.stride));
+      lines = whitening.topLeftCorner(rows, rows) * r.by_errors.topRows(rows);
+    }
+    if (out.by_shared != nullptr && feature.shared_radius >= 0) {
+      out.by_shared[at + feature.shared_radius] = whitening(0, 0) * r.by_ball_radius;
     }
   }
 }
@@ -79,12 +93,23 @@ double weighted_distance(const DistanceConstraint& distance, const Constraints& 
                          const double* group_values, double* by_group) {
   const FeatureConstraint& first = constraints.features[distance.first];
   const FeatureConstraint& second = constraints.features[distance.second];
+  if (by_group != nullptr) {
+    std::fill_n(by_group, constraints.groups[first.group].size, 0.0);
+  }
+  if (first.demand == Demand::OnPlane) {
+    const double apart = group_values[second.offset] - group_values[first.offset];
+    const double sign = apart < 0.0 ? -1.0 : 1.0;
+    if (by_group != nullptr) {
+      by_group[second.offset] = weight * sign;
+      by_group[first.offset] = -weight * sign;
+    }
+    return weight * (sign * apart - distance.value);
+  }
   const Eigen::Vector3d apart =
       Eigen::Vector3d::Map(group_values + second.offset) - Eigen::Vector3d::Map(group_values + first.offset);
   const double length = apart.norm();
   if (by_group != nullptr) {
     const Eigen::Vector3d direction = length > 0.0 ? Eigen::Vector3d(apart / length) : Eigen::Vector3d::UnitX();
-    std::fill_n(by_group, constraints.groups[first.group].size, 0.0);
     Eigen::Vector3d::Map(by_group + second.offset) = weight * direction;
     Eigen::Vector3d::Map(by_group + first.offset) = -weight * direction;
   }

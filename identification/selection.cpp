@@ -41,7 +41,7 @@ std::vector<WristPair> wrist_pairs(const Arm& arm) {
 
 Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::string>& hold,
                                       const std::vector<std::string>& free) {
-  const auto parameters = parameters_of(arm);
+  const auto parameters = parameters_with_radii(arm);
   for (const auto& checked : {check_names(parameters, hold, "hold"), check_names(parameters, free, "free")}) {
     if (!checked) {
       return tl::unexpected(checked.error());
@@ -52,7 +52,12 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
       return wrong_usage(fmt::format("{} cannot be both held and free", name));
     }
   }
-  Selection selection{hold, {}, free};
+  Selection selection{hold, {}, free, {}};
+  for (const auto& name : free) {
+    if (parameters[find_parameter(parameters, name)].kind == ParameterKind::Radius) {
+      selection.radii.push_back(name);
+    }
+  }
   for (const WristPair& pair : wrist_pairs(arm)) {
     if (contains(free, pair.first) && contains(free, pair.second)) {
       return wrong_usage(
@@ -69,6 +74,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
 CouplingOptions coupling_options(const Selection& selection) {
   CouplingOptions options;
   options.not_asked = selection.held;
+  options.radii_asked = selection.radii;
   options.rather_held = selection.pair_held;
   options.rather_free = selection.rather_free;
   return options;

@@ -21,6 +21,7 @@ struct Selection {
   std::vector<std::string> held;         ///< by request: taken as known
   std::vector<std::string> pair_held;    ///< the member of each wrist pair that is held in any case
   std::vector<std::string> rather_free;  ///< requested to be identified
+  std::vector<std::string> radii;        ///< of these, the radii of tips: all others are known
 };
 
 /// Sorts the requests. Of a wrist pair the first member (a, d) is held, or the second where `free` names

@@ -7,11 +7,19 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "identification/ball_start.h"
+#include "identification/plane_start.h"
+#include "identification/problem.h"
 #include "identification/residual.h"
 #include "identification/rows.h"
+#include "identification/tips.h"
+#include "identification/weights.h"
 
 namespace artcal {
 namespace {
+
+// Against readings that count 1 per mm: what is certified stays where it is.
+constexpr double held_firmly = 1e6;
 
 std::string called(const FeatureConstraint& feature, const Constraints& constraints, const Recording& recording) {
   const FeatureName name = name_of(feature, constraints, recording);
@@ -19,47 +27,14 @@ std::string called(const FeatureConstraint& feature, const Constraints& constrai
                      name.placement);
 }
 
-Eigen::Matrix3Xd tips_of(const System& system, const FeatureConstraint& feature, const std::vector<Sweep>& sweeps) {
-  Eigen::Matrix3Xd tips(3, feature.size());
-  for (int k = 0; k < feature.size(); ++k) {
-    const int reading = feature.readings[k];
-    tips.col(k) = sweeps[system.probes[reading]].tip_in_base(system.sines_of(reading));
+// Distances of a feature's tips from its point or centre.
+Eigen::VectorXd distances_of(const Tips& tips, const Eigen::VectorXd& shared) {
+  const FeatureConstraint& feature = *tips.feature;
+  if (feature.demand == Demand::AtDistance) {
+    return Eigen::VectorXd::Map(feature.distances.data(), feature.size());
   }
-  return tips;
-}
-
-// The point at given distances from given points. Subtracting the mean of |p − c|² = ρ² leaves equations
-// linear in c: 2 pᵀc = |p|² − ρ² + constant, with p from the points' own mean. Then Gauss-Newton.
-std::optional<Eigen::Vector3d> trilaterate(const Eigen::Matrix3Xd& points, const std::vector<double>& distances) {
-  const Eigen::Vector3d mean = points.rowwise().mean();
-  const Eigen::Matrix3Xd p = points.colwise() - mean;
-  Eigen::MatrixXd a(p.cols(), 4);
-  Eigen::VectorXd b(p.cols());
-  const Eigen::VectorXd rho = Eigen::VectorXd::Map(distances.data(), p.cols());
-  const double size = p.norm() / std::sqrt(static_cast<double>(p.cols()));
-  a.leftCols<3>() = 2.0 * p.transpose();
-  a.col(3).setConstant(size);
-  b = p.colwise().squaredNorm().transpose() - rho.cwiseAbs2();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
-  qr.setThreshold(1e-4);
-  if (p.cols() < 4 || qr.rank() < 4) {
-    return std::nullopt;
-  }
-  Eigen::Vector3d c = qr.solve(b).head<3>();
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    const Eigen::Matrix3Xd away = (-p).colwise() + c;
-    const Eigen::VectorXd length = away.colwise().norm();
-    if (!(length.minCoeff() > 0.0)) {
-      return std::nullopt;
-    }
-    const Eigen::MatrixX3d slope = away.transpose().array().colwise() / length.array();
-    const Eigen::Vector3d step = slope.colPivHouseholderQr().solve(rho - length);
-    c += step;
-    if (step.norm() <= 1e-13 * (size + c.norm())) {
-      return c + mean;
-    }
-  }
-  return c + mean;
+  const double radius = feature.shared_radius >= 0 ? feature.expansion * shared[feature.shared_radius] : feature.radius;
+  return tips.radii.array() + radius;
 }
 
 // The rigid motion that takes `from` to `onto` with the least squares (Kabsch 1976); nothing for points on a line.
@@ -78,15 +53,14 @@ std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd&
 }
 
 // Gauss-Newton on the six numbers of a pose, all posed features of the group together.
-void refine_pose(const std::vector<const FeatureConstraint*>& features, const std::vector<Eigen::Matrix3Xd>& tips,
-                 GroupState& group) {
+void refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, GroupState& group) {
   for (int iteration = 0; iteration < 50; ++iteration) {
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
-    for (std::size_t f = 0; f < features.size(); ++f) {
-      const FeatureResidual residual(*features[f], group.reference, group.values.data());
-      for (int k = 0; k < features[f]->size(); ++k) {
-        const Residual r = residual.at(k, tips[f].col(k), true);
+    for (const Tips& tips : features) {
+      const FeatureResidual residual(*tips.feature, group.reference, group.values.data(), shared.data());
+      for (int k = 0; k < tips.feature->size(); ++k) {
+        const Residual r = residual.at(k, tips.centres.col(k), tips.radii[k], true);
         const auto slope = r.by_unknowns.topRows(r.rows);
         normal += slope.transpose() * slope;
         gradient += slope.transpose() * r.value.head(r.rows);
@@ -98,30 +72,26 @@ void refine_pose(const std::vector<const FeatureConstraint*>& features, const st
       break;
     }
   }
-  group.reference *= rotation_of(group.values.head<3>());
+  group.reference.rotation *= rotation_of(group.values.head<3>());
   group.values.head<3>().setZero();
 }
 
-Expected<void> settle_pose(const System& system, const Recording& recording, const std::vector<Sweep>& sweeps,
-                           int index, GroupState& group) {
-  std::vector<const FeatureConstraint*> features;
-  std::vector<Eigen::Matrix3Xd> tips;
+Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, const std::string& called,
+                           GroupState& group) {
   std::vector<Eigen::Vector3d> from;
   std::vector<Eigen::Vector3d> onto;
-  for (const auto& feature : system.constraints->features) {
-    if (feature.group != index || feature.location != Location::Posed) {
-      continue;
-    }
-    features.push_back(&feature);
-    tips.push_back(tips_of(system, feature, sweeps));
+  for (const Tips& tips : features) {
+    const FeatureConstraint& feature = *tips.feature;
     if (feature.demand == Demand::Coincide) {
       from.insert(from.end(), feature.known.begin(), feature.known.end());
-      for (const auto& tip : tips.back().colwise()) {
+      for (const auto& tip : tips.centres.colwise()) {
         onto.emplace_back(tip);
       }
-    } else if (const auto centre = trilaterate(tips.back(), feature.distances)) {
-      from.push_back(feature.known.front());
-      onto.push_back(*centre);
+    } else if (feature.demand != Demand::OnPlane) {
+      if (const auto centre = point_at_distances(tips.centres, distances_of(tips, shared))) {
+        from.push_back(feature.known.front());
+        onto.push_back(*centre);
+      }
     }
   }
   const auto matrix = [](const std::vector<Eigen::Vector3d>& points) {
@@ -133,13 +103,53 @@ Expected<void> settle_pose(const System& system, const Recording& recording, con
     return no_solution(
         fmt::format("the pose of the artefact of {} cannot be told: readings on at least three of its "
                     "points that are not on a line are needed",
-                    called(*features.front(), *system.constraints, recording)));
+                    called));
   }
-  group.reference = pose->rotation;
-  group.values.head<3>().setZero();
+  group.reference.rotation = pose->rotation;
+  group.values = Eigen::VectorXd::Zero(6);
   group.values.segment<3>(3) = pose->translation;
-  refine_pose(features, tips, group);
+  refine_pose(features, shared, group);
   return {};
+}
+
+// Radii that no certificate tells: each ball's from its own readings, then their mean over the placements.
+void settle_radii(const std::vector<Tips>& balls, const Constraints& constraints, Eigen::VectorXd& shared) {
+  for (Eigen::Index s = 0; s < shared.size(); ++s) {
+    shared[s] = constraints.shared[s].certified;
+    double sum = 0.0;
+    int count = 0;
+    for (const Tips& tips : balls) {
+      if (tips.feature->shared_radius != s || constraints.shared[s].u > 0.0) {
+        continue;
+      }
+      if (const auto ball = ball_touched_at(tips.centres, tips.radii)) {
+        sum += tips.feature->size() * ball->radius / tips.feature->expansion;
+        count += tips.feature->size();
+      }
+    }
+    shared[s] = count > 0 ? sum / count : shared[s];
+  }
+}
+
+// Radii and what hangs on them together, with the arm and what is certified held.
+void refine_radii(System system, const Arm& arm, Unknowns& unknowns) {
+  const Constraints& constraints = *system.constraints;
+  system.start = arm;
+  system.free.clear();
+  system.scale.resize(0);
+  Weights weights = unit_weights(constraints);
+  weights.distances.assign(constraints.distances.size(), 0.0);
+  bool uncertified = false;
+  for (std::size_t s = 0; s < constraints.shared.size(); ++s) {
+    uncertified |= constraints.shared[s].u == 0.0;
+    weights.shared[s] = constraints.shared[s].u > 0.0 ? held_firmly : 0.0;
+  }
+  if (uncertified) {
+    Solution solution = solve(system, weights, Eigen::VectorXd(), unknowns);
+    if (solution.termination == Termination::Converged) {
+      unknowns = std::move(solution.unknowns);
+    }
+  }
 }
 
 }  // namespace
@@ -147,42 +157,64 @@ Expected<void> settle_pose(const System& system, const Recording& recording, con
 Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording) {
   const Constraints& constraints = *system.constraints;
   const auto sweeps = sweeps_of(system, arm);
-  Unknowns unknowns(constraints.groups.size());
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    unknowns[i].values = Eigen::VectorXd::Zero(constraints.groups[i].size);
+  std::vector<Tips> balls;
+  std::vector<std::vector<Tips>> by_group(constraints.groups.size());
+  for (const auto& feature : constraints.features) {
+    if (feature.shared_radius >= 0) {
+      balls.push_back(tips_of(system, feature, sweeps));
+    }
+    if (feature.group >= 0) {
+      by_group[feature.group].push_back(tips_of(system, feature, sweeps));
+    }
+  }
+  Unknowns unknowns;
+  unknowns.shared.resize(system.shared_size());
+  settle_radii(balls, constraints, unknowns.shared);
+  for (std::size_t i = 0; i < by_group.size(); ++i) {
+    GroupState& group = unknowns.groups.emplace_back();
+    const std::string first = called(*by_group[i].front().feature, constraints, recording);
     if (constraints.groups[i].has_pose) {
-      if (auto settled = settle_pose(system, recording, sweeps, static_cast<int>(i), unknowns[i]); !settled) {
+      if (auto settled = settle_pose(by_group[i], unknowns.shared, first, group); !settled) {
         return tl::unexpected(settled.error());
       }
-    }
-  }
-  for (const auto& feature : constraints.features) {
-    if (feature.location != Location::Unknown) {
       continue;
     }
-    const Eigen::Matrix3Xd tips = tips_of(system, feature, sweeps);
-    const auto centre = feature.demand == Demand::Coincide ? std::optional<Eigen::Vector3d>(tips.rowwise().mean())
-                                                           : trilaterate(tips, feature.distances);
-    if (!centre) {
-      return no_solution(
-          fmt::format("the centre of {} cannot be told from its {} readings: at least four are needed, "
-                      "and not all in one plane",
-                      called(feature, constraints, recording), feature.size()));
+    if (constraints.groups[i].has_axis) {
+      auto settled = settle_planes(by_group[i], constraints, first);
+      if (!settled) {
+        return tl::unexpected(settled.error());
+      }
+      group = std::move(*settled);
+      continue;
     }
-    unknowns[feature.group].values.segment<3>(feature.offset) = *centre;
+    group.values = Eigen::VectorXd::Zero(constraints.groups[i].size);
+    for (const Tips& tips : by_group[i]) {
+      const FeatureConstraint& feature = *tips.feature;
+      const auto centre = feature.demand == Demand::Coincide
+                              ? std::optional<Eigen::Vector3d>(tips.centres.rowwise().mean())
+                              : point_at_distances(tips.centres, distances_of(tips, unknowns.shared));
+      if (!centre) {
+        return no_solution(
+            fmt::format("the centre of {} cannot be told from its {} readings: at least four are needed, "
+                        "and not all in one plane",
+                        called(feature, constraints, recording), feature.size()));
+      }
+      group.values.segment<3>(feature.offset) = *centre;
+    }
   }
+  refine_radii(system, arm, unknowns);
   return unknowns;
 }
 
 void satisfy_distances(const Constraints& constraints, Unknowns& unknowns) {
-  for (std::size_t g = 0; g < unknowns.size(); ++g) {
+  for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
     std::vector<const DistanceConstraint*> distances;
     for (const auto& distance : constraints.distances) {
       if (distance.binds && constraints.features[distance.first].group == static_cast<int>(g)) {
         distances.push_back(&distance);
       }
     }
-    Eigen::VectorXd& values = unknowns[g].values;
+    Eigen::VectorXd& values = unknowns.groups[g].values;
     RowMatrix slope(static_cast<Eigen::Index>(distances.size()), values.size());
     Eigen::VectorXd miss(slope.rows());
     for (int iteration = 0; iteration < 20 && !distances.empty(); ++iteration) {

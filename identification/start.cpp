@@ -28,27 +28,26 @@ std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>
   return tips;
 }
 
-bool is_ball(const FeatureConstraint& feature, const Constraints& constraints) {
-  return constraints.artefacts[feature.artefact].features[feature.feature].kind == FeatureKind::Sphere;
-}
-
-Constraints balls_as_points(Constraints constraints) {
-  for (auto& feature : constraints.features) {
-    if (is_ball(feature, constraints)) {
-      feature.demand = Demand::Coincide;
-      feature.distances.clear();
-    }
-  }
-  return constraints;
-}
-
 // Contact points all over a ball have an rms distance of one radius from their mean, of a part of it less.
 constexpr double balls_still_seen = 1.1;
+// Where the radius is not known, the deviation from the best sphere tells, against that sphere's own radius.
+constexpr double roundness_still_seen = 0.25;
 
-bool sees_the_balls(const Constraints& constraints, const Constraints& points, const Evaluation& as_points) {
+bool sees_the_balls(const Recording& recording, const Constraints& constraints, const Evaluation& as_points,
+                    const Arm& arm) {
+  const System system = make_system(recording, constraints, arm, {});
+  const auto unknowns = settle(system, arm, recording);
+  const auto as_balls = evaluate(recording, constraints, arm);
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
-    if (is_ball(constraints.features[f], points) &&
-        as_points.features[f].rms > balls_still_seen * constraints.features[f].distances.front()) {
+    const FeatureConstraint& feature = constraints.features[f];
+    if (feature.demand != Demand::OnBall) {
+      continue;
+    }
+    const double tip_radius = arm.probes[recording.readings[feature.readings.front()].probe].radius;
+    if (feature.radius > 0.0 ? as_points.features[f].rms > balls_still_seen * (feature.radius + tip_radius)
+                             : !unknowns || !as_balls ||
+                                   as_balls->features[f].rms >
+                                       roundness_still_seen * (unknowns->shared[feature.shared_radius] + tip_radius)) {
       return false;
     }
   }
@@ -83,7 +82,7 @@ Expected<Arm> arm_near_the_balls(const Recording& recording, const Constraints& 
                                  const Selection& selection) {
   const Constraints points = balls_as_points(constraints);
   const auto as_points = evaluate(recording, points, start);
-  if (!as_points || sees_the_balls(constraints, points, *as_points)) {
+  if (!as_points || sees_the_balls(recording, constraints, *as_points, start)) {
     return start;
   }
   const auto coupling = analyse_coupling(recording, points, start, coupling_options(selection));

@@ -11,15 +11,30 @@
 
 namespace artcal {
 
-/// The unknowns of one group (Constraints::groups): the pose's turning (rad) and shift (mm) where it has
-/// one, then three coordinates in the base frame (mm) for each unknown point. The artefact's pose is
-///     base_from_artefact = (reference · exp(turning), shift)
-/// with a reference close to the answer, so that the turning stays small and has no singularity.
+/// What the unknowns of a group count from: a place close to the answer, so that turnings and tilts stay small
+/// and have no singularity. Of a point alone it means nothing.
+struct GroupReference {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< of a pose; of planes, its z axis is near their normal
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< of planes, in the base frame, among the readings
+  double size = 1.0;                                       ///< of planes, mm: how far readings lie from the origin
+  std::vector<double> sides{};  ///< of each plane: 1 where the tip lies on the side of the axis, else -1
+};
+
+/// The unknowns of one group (Constraints::groups). A pose: turning (rad) and shift (mm), then three
+/// coordinates in the base frame (mm) for each unknown point:
+///     base_from_artefact = (reference.rotation · exp(turning), shift)
+/// Parallel planes: two tilts s, t (mm), then each plane's place o along their common axis:
+///     axis = rotation · (s/size, t/size, 1), normalised;  the plane: axis · (X − origin) = o
 struct GroupState {
-  Eigen::Matrix3d reference = Eigen::Matrix3d::Identity();
+  GroupReference reference;
   Eigen::VectorXd values;
 };
-using Unknowns = std::vector<GroupState>;
+
+/// All that is found along with the arm.
+struct Unknowns {
+  std::vector<GroupState> groups;  ///< as Constraints::groups
+  Eigen::VectorXd shared;          ///< as Constraints::shared
+};
 
 /// What a residual is worth. A reading's residual is multiplied by `scalar`, or, where its noise differs by
 /// direction, by the lower triangular `matrix` (only for Demand::Coincide, in the residual's own frame).
@@ -30,6 +45,7 @@ struct FeatureWeights {
 struct Weights {
   std::vector<FeatureWeights> features;  ///< as Constraints::features
   std::vector<double> distances;         ///< as Constraints::distances
+  std::vector<double> shared;            ///< as Constraints::shared; 0 where the certificate says nothing
 };
 
 /// All that stays the same while a solver moves the arm: readings, constraints, which parameters are free
@@ -44,6 +60,7 @@ struct System {
   std::vector<int> probes;    ///< of each reading
 
   [[nodiscard]] int arm_size() const { return static_cast<int>(free.size()); }
+  [[nodiscard]] int shared_size() const { return static_cast<int>(constraints->shared.size()); }
   [[nodiscard]] JointSines sines_of(int reading) const {
     const std::size_t width = 2 * start.joints.size();
     return {sines.data() + width * static_cast<std::size_t>(reading), width};

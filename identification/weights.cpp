@@ -19,6 +19,24 @@ std::vector<double> distance_weights(const Constraints& constraints) {
   return weights;
 }
 
+std::vector<double> shared_weights(const Constraints& constraints) {
+  std::vector<double> weights;
+  for (const auto& shared : constraints.shared) {
+    weights.push_back(shared.u > 0.0 ? 1.0 / shared.u : 0.0);
+  }
+  return weights;
+}
+
+// Readings that see a shared unknown.
+int reading_count(const Constraints& constraints, int shared) {
+  int count = 0;
+  for (const auto& feature : constraints.features) {
+    const bool error = feature.first_error >= 0 && shared >= feature.first_error && shared < feature.first_error + 3;
+    count += error || shared == feature.shared_radius ? feature.size() : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 Weights unit_weights(const Constraints& constraints) {
@@ -30,6 +48,9 @@ Weights unit_weights(const Constraints& constraints) {
     weights.distances.push_back(
         std::sqrt(constraints.features[distance.first].size() + constraints.features[distance.second].size()));
   }
+  for (int i = 0; i < static_cast<int>(constraints.shared.size()); ++i) {
+    weights.shared.push_back(constraints.shared[i].u > 0.0 ? std::sqrt(reading_count(constraints, i)) : 0.0);
+  }
   return weights;
 }
 
@@ -39,6 +60,7 @@ Weights uniform_weights(const Constraints& constraints, double sigma) {
     weights.features.push_back({std::vector<double>(feature.readings.size(), 1.0 / std::hypot(sigma, feature.u)), {}});
   }
   weights.distances = distance_weights(constraints);
+  weights.shared = shared_weights(constraints);
   return weights;
 }
 
@@ -48,17 +70,18 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
   const auto sweeps = sweeps_of(system, arm);
   Weights weights;
   weights.distances = distance_weights(constraints);
+  weights.shared = shared_weights(constraints);
   Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(arm.joints.size()));
   for (const auto& feature : constraints.features) {
     const GroupState none;
-    const GroupState& group = feature.group < 0 ? none : unknowns[feature.group];
-    const FeatureResidual residual(feature, group.reference, group.values.data());
+    const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+    const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
     FeatureWeights& out = weights.features.emplace_back();
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
-      const Eigen::Vector3d tip =
-          sweeps[system.probes[reading]].tip_by_joints(system.sines_of(reading), by_joints.data());
-      const Residual r = residual.at(k, tip, true);
+      const Sweep& sweep = sweeps[system.probes[reading]];
+      const Eigen::Vector3d tip = sweep.tip_by_joints(system.sines_of(reading), by_joints.data());
+      const Residual r = residual.at(k, tip, sweep.tip_radius(), true);
       const Eigen::Matrix3d tip_covariance =
           probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();
       const auto slope = r.by_tip.topRows(r.rows);

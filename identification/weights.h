@@ -5,11 +5,11 @@
 namespace artcal {
 
 /// Weights where nothing is known of the noise: a reading's coordinate counts 1 (per mm), a certified
-/// distance as much as the readings that define its ends, √(number of readings).
+/// distance or what is shared as much as the readings that see it, √(number of readings).
 Weights unit_weights(const Constraints& constraints);
 
 /// Weights for one noise of `sigma` mm in every coordinate: a reading counts 1/√(σ² + u²), u being what its
-/// measured length or coordinates are uncertain by; a distance 1/u.
+/// measured length or coordinates are uncertain by; a distance or what is shared 1/u.
 Weights uniform_weights(const Constraints& constraints, double sigma);
 
 /// Weights for `encoder` noise (rad, every joint alone) and `probing` noise (mm, every coordinate): a

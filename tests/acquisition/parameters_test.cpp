@@ -58,7 +58,7 @@ TEST(Parameters, EveryOneHasItsOwnPlace) {
   for (int i = 0; i < 100; ++i) {
     RandomStream random(1, "parameters", static_cast<std::uint64_t>(i));
     Arm arm = testing::random_arm(random);
-    const auto all = parameters_of(arm);
+    const auto all = parameters_with_radii(arm);
     std::set<std::string> seen;
     for (std::size_t k = 0; k < all.size(); ++k) {
       EXPECT_TRUE(seen.insert(all[k].name).second) << all[k].name;
@@ -88,6 +88,22 @@ TEST(Parameters, ValuesAreThoseOfTheArm) {
   EXPECT_EQ(at("lx"), 6.0);
   EXPECT_EQ(at("ly"), 7.0);
   EXPECT_EQ(at("lz"), 8.0);
+}
+
+TEST(Parameters, ARadiusIsOneOnlyWhereItIsAskedFor) {
+  Arm arm = two_joints();
+  arm.probes[0].radius = 3.0;
+  EXPECT_EQ(find_parameter(parameters_of(arm), "radius"), -1);
+  auto all = parameters_with_radii(arm);
+  ASSERT_EQ(all.size(), parameters_of(arm).size() + 1);
+  EXPECT_EQ(all.back().name, "radius");
+  EXPECT_EQ(all.back().unit(), "mm");
+  EXPECT_FALSE(all.back().is_tip());
+  EXPECT_EQ(value(arm, all.back()), 3.0);
+  arm.probes.push_back({"star", Eigen::Vector3d::Zero(), 2.0, true});
+  all = parameters_with_radii(arm);
+  EXPECT_EQ(all.back().name, "radius:star");
+  EXPECT_EQ(value(arm, all.back()), 2.0);
 }
 
 TEST(Parameters, UnitsAndScales) {

@@ -36,7 +36,7 @@ struct Case {
     arm = testing::random_arm(random);
     q = testing::random_joints(random, arm.joints.size());
     probe = static_cast<int>(random.bits() % arm.probes.size());
-    parameters = parameters_of(arm);
+    parameters = parameters_with_radii(arm);
     length = 1.0 + reach(arm) + std::abs(arm.joints[0].a) + std::abs(arm.joints[0].d);
   }
 

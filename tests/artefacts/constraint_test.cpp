@@ -99,9 +99,8 @@ TEST_F(ConstraintTest, BindsSeveralArtefactsPlacementsAndProbesOfOneRecording) {
   EXPECT_EQ(c.features[0].dimension(), 3);
   EXPECT_THAT(c.features[0].known, IsEmpty());
 
-  // The same ball touched by two tips: 20/2 + 3 and 20/2 + 1.5.
-  EXPECT_THAT(c.features[1].distances, ElementsAre(13.0, 11.5));
-  EXPECT_EQ(c.features[1].demand, Demand::AtDistance);
+  EXPECT_EQ(c.features[1].radius, 10.0);
+  EXPECT_EQ(c.features[1].demand, Demand::OnBall);
   EXPECT_EQ(c.features[1].dimension(), 1);
 
   EXPECT_EQ(c.features[2].placement, recording_.placements.find("2"));
@@ -193,9 +192,7 @@ TEST_F(ConstraintTest, CertifiedLengthsGrowWithTheTemperatureOfTheirPlacement) {
   EXPECT_NEAR(c.distances[1].value, 999.9, 1e-9);
   EXPECT_EQ(c.distances[2].value, 1000.0) << "no temperature read: as at the reference";
   EXPECT_EQ(c.distances[0].u, 0.001);
-  // The ball grows, the probe's tip does not: 10·(1 + 5·10e-6) + 3.
-  EXPECT_NEAR(c.features[2].distances[0], 13.0005, 1e-12);
-  EXPECT_NEAR(c.features[2].distances[1], 13.0005, 1e-12) << "one temperature for a placement";
+  EXPECT_NEAR(c.features[2].radius, 10.0005, 1e-12);
   EXPECT_THAT(c.warnings, IsEmpty());
 }
 
@@ -206,7 +203,7 @@ TEST_F(ConstraintTest, CertifiedCoordinatesGrowWithTheTemperature) {
   EXPECT_NEAR(c.features[0].known[0].x(), 100.02, 1e-12);
   EXPECT_NEAR(c.features[1].known[0].y(), 200.04, 1e-12);
   EXPECT_NEAR(c.features[2].known[0].z(), 400.08, 1e-12);
-  EXPECT_NEAR(c.features[2].distances[0], 5.001 + 1.5, 1e-12);
+  EXPECT_NEAR(c.features[2].radius, 5.001, 1e-12);
   EXPECT_NEAR(c.distances[0].value, 223.6068 * 1.0002, 1e-9);
 }
 

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/SVD>
 
 #include "artefacts/constraint.h"
 #include "core/random.h"
@@ -16,7 +17,9 @@ namespace artcal {
 namespace {
 
 constexpr std::array kinds{ReadingKind::BaseCoordinates, ReadingKind::FrameCoordinates, ReadingKind::Point,
-                           ReadingKind::Distance,        ReadingKind::Sphere,           ReadingKind::Length};
+                           ReadingKind::Distance,        ReadingKind::Sphere,           ReadingKind::Length,
+                           ReadingKind::Plate,           ReadingKind::UnknownSphere,    ReadingKind::Plane,
+                           ReadingKind::LevelPlane};
 
 /// Table 1's arm with a ball for a tip, off the axis.
 Arm arm_with_ball() {
@@ -146,8 +149,43 @@ TEST_F(VirtualProbingTest, ReadingsOfABallLieOnIt) {
     const Eigen::VectorXd squares = 0.5 * differences.colwise().squaredNorm().transpose();
     const Eigen::Vector3d centre = all.col(0) + differences.transpose().colPivHouseholderQr().solve(squares);
     for (int i = 0; i < feature.size(); ++i) {
-      EXPECT_EQ(feature.distances[i], 13.0) << "ball and tip";
+      EXPECT_EQ(feature.radius, 10.0);
       EXPECT_NEAR((all.col(i) - centre).norm(), 13.0, 10 * exact);
+    }
+  }
+}
+
+TEST_F(VirtualProbingTest, OfUnknownBallsTheRadiusIsNotTold) {
+  probe(ReadingKind::UnknownSphere);
+  for (const FeatureConstraint& feature : constraints_.features) {
+    EXPECT_EQ(feature.radius, 0.0);
+    EXPECT_EQ(constraints_.shared.at(feature.shared_radius).u, 0.0);
+  }
+}
+
+TEST_F(VirtualProbingTest, ReadingsOfAPlaneLieInOneAndAreSpread) {
+  for (const ReadingKind kind : {ReadingKind::Plane, ReadingKind::LevelPlane}) {
+    probe(kind);
+    ASSERT_EQ(constraints_.features.size(), 3u);
+    for (const FeatureConstraint& feature : constraints_.features) {
+      const Eigen::Matrix3Xd all = tips(feature);
+      const Eigen::Matrix3Xd about = all.colwise() - Eigen::Vector3d(all.rowwise().mean());
+      const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(about, Eigen::ComputeThinU);
+      EXPECT_LT(svd.singularValues()[2], 10 * exact);
+      EXPECT_GT(svd.singularValues()[1], 1000.0);
+      EXPECT_NEAR(std::abs(svd.matrixU()(2, 2)), 1.0, kind == ReadingKind::LevelPlane ? 1e-9 : 1.0);
+    }
+  }
+}
+
+TEST_F(VirtualProbingTest, APlatesPointsKeepTheirDistances) {
+  probe(ReadingKind::Plate);
+  EXPECT_EQ(constraints_.groups.size(), 3u) << "placements";
+  const FeatureConstraint& first = constraints_.features[0];
+  for (const FeatureConstraint& other : constraints_.features) {
+    if (other.placement == first.placement) {
+      EXPECT_NEAR((tip(first.readings[0]) - tip(other.readings[0])).norm(), (first.known[0] - other.known[0]).norm(),
+                  exact);
     }
   }
 }

@@ -118,6 +118,50 @@ TEST(Coupling, BallsOfKnownRadiusKeepTheScaleButWeakly) {
   EXPECT_NEAR(coupling.singular_values[20] / coupling.singular_values[0], 0.009, 0.006);
 }
 
+TEST(Coupling, APlateAtUnknownPosesLosesTheBaseOnly) {
+  const Coupling coupling = analyse(ReadingKind::Plate);
+  EXPECT_EQ(coupling.rank, 21);
+  EXPECT_EQ(held_names(coupling), (std::vector<std::string>{"a6", "d6", "d1", "theta1"}));
+  expect_wrist_pairs(coupling);
+  expect_base(coupling);
+  EXPECT_NE(coupling.scale, ScaleState::Lost);
+}
+
+TEST(Coupling, BallsOfUnknownRadiusLoseTheScaleToo) {
+  for (const int balls : {1, 4}) {
+    const Coupling coupling = analyse(ReadingKind::UnknownSphere, balls);
+    EXPECT_EQ(coupling.rank, 20) << balls;
+    expect_wrist_pairs(coupling);
+    expect_base(coupling);
+    expect_scale(coupling);
+  }
+}
+
+TEST(Coupling, UnknownPlanesLoseTheScaleToo) {
+  for (const int planes : {1, 2, 4}) {  // one of them is oblique, two are not parallel
+    const Coupling coupling = analyse(ReadingKind::Plane, planes);
+    EXPECT_EQ(coupling.rank, 20) << planes;
+    expect_wrist_pairs(coupling);
+    expect_base(coupling);
+    expect_scale(coupling);
+  }
+}
+
+// a1 moves the arm along them. So does d2, which the scale no longer needs to move: d3 tells of it.
+TEST(Coupling, PlanesPerpendicularToTheFirstAxisLoseSeven) {
+  for (const int planes : {1, 3}) {
+    const Coupling coupling = analyse(ReadingKind::LevelPlane, planes);
+    EXPECT_EQ(coupling.rank, 18) << planes;
+    EXPECT_EQ(coupling.lost.size(), 7u);
+    expect_wrist_pairs(coupling);
+    expect_base(coupling);
+    expect_equation(coupling, "a1", {{"a1", 1.0}});
+    expect_equation(coupling, "d2", {{"d2", 1.0}});
+    EXPECT_EQ(coupling.scale, ScaleState::Lost);
+    expect_equation(coupling, "d3", {{"d3", 1.0}, {"d4", 65.5 / 792.7}, {"d5", 883.2 / 792.7}, {"l", 183.5 / 792.7}});
+  }
+}
+
 TEST(Coupling, MeasuredLengthsToUnknownAnchorsLoseTheBaseOnly) {
   const Coupling coupling = analyse(ReadingKind::Length);
   EXPECT_EQ(coupling.rank, 21);
@@ -132,6 +176,10 @@ TEST(Coupling, TheSameEverywhereOnTheSeed) {
     EXPECT_EQ(analyse(ReadingKind::Distance, 4, {}, seed).rank, 21);
     EXPECT_EQ(analyse(ReadingKind::Point, 3, {}, seed).rank, 20);
     EXPECT_EQ(analyse(ReadingKind::Sphere, 4, {}, seed).rank, 21);
+    EXPECT_EQ(analyse(ReadingKind::Plate, 4, {}, seed).rank, 21);
+    EXPECT_EQ(analyse(ReadingKind::UnknownSphere, 2, {}, seed).rank, 20);
+    EXPECT_EQ(analyse(ReadingKind::Plane, 1, {}, seed).rank, 20);
+    EXPECT_EQ(analyse(ReadingKind::LevelPlane, 1, {}, seed).rank, 18);
   }
 }
 
@@ -154,6 +202,21 @@ TEST(Coupling, AKnownLengthKeepsTheScale) {
   CouplingOptions options;
   options.not_asked = {"l"};
   EXPECT_NE(analyse(ReadingKind::Point, 4, options).scale, ScaleState::Lost);
+}
+
+// The radius of the tip is known; asked about, it goes with every radius and place that is not.
+TEST(Coupling, TheTipsRadiusIsTold) {
+  CouplingOptions options;
+  options.radii_asked = {"radius"};
+  const Coupling balls = analyse(ReadingKind::Sphere, 4, options);
+  EXPECT_EQ(balls.parameters.back().name, "radius");
+  EXPECT_EQ(balls.rank, 22);
+  for (const ReadingKind kind : {ReadingKind::UnknownSphere, ReadingKind::Plane, ReadingKind::Point}) {
+    const Coupling none = analyse(kind, 4, options);
+    EXPECT_EQ(none.rank, 20);
+    expect_equation(none, "radius", {{"radius", 1.0}});
+    EXPECT_EQ(none.scale, ScaleState::Lost);
+  }
 }
 
 TEST(Coupling, TheOtherMemberOfAPairIsHeldOnRequest) {

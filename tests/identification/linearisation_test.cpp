@@ -65,11 +65,12 @@ TEST_P(Compression, KeepsCostAndGradient) {
   const auto blocks = blocks_of(bound.constraints);
   const Linearisation linearisation = linearise(system, weights, GetParam(), arm, *unknowns);
   for (std::size_t b = 1; b < blocks.size(); ++b) {
-    const GroupState& group = (*unknowns)[b - 1];
+    const GroupState& group = unknowns->groups[b - 1];
     const Eigen::MatrixXd& triangle = linearisation.triangles[b];
     const Eigen::VectorXd z = triangle.rightCols<1>();
     const auto cost_at = [&](const Eigen::VectorXd& values) {
-      return block_cost(system, weights, GetParam(), blocks[b], sweeps, group.reference, values.data());
+      return block_cost(system, weights, GetParam(), blocks[b], sweeps,
+                        {group.reference, values.data(), unknowns->shared.data()});
     };
     EXPECT_NEAR(z.squaredNorm() / cost_at(group.values), 1.0, 1e-12);
     // The gradient by the unknowns against differences of the cost itself.

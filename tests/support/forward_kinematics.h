@@ -45,6 +45,7 @@ struct ArmNumbers {
   std::vector<T> a, d, theta, alpha, beta;
   std::vector<double> sign;
   std::vector<Eigen::Matrix<T, 3, 1>> tips;
+  std::vector<T> radii;
 
   explicit ArmNumbers(const Arm& arm) : convention(arm.convention) {
     for (const Joint& joint : arm.joints) {
@@ -57,6 +58,7 @@ struct ArmNumbers {
     }
     for (const Probe& probe : arm.probes) {
       tips.push_back(probe.tip_in_last.template cast<T>());
+      radii.push_back(T(probe.radius));
     }
   }
 
@@ -70,6 +72,7 @@ struct ArmNumbers {
       case ParameterKind::Beta: return beta[owner];
       case ParameterKind::TipX: return tips[owner].x();
       case ParameterKind::TipY: return tips[owner].y();
+      case ParameterKind::Radius: return radii[owner];
       case ParameterKind::TipZ: break;
     }
     return tips[owner].z();

@@ -1,0 +1,97 @@
+#include "artefacts/unknowns.h"
+
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace artcal {
+namespace {
+
+int root_of(std::vector<int>& parent, int i) {
+  while (parent[i] != i) {
+    i = parent[i] = parent[parent[i]];
+  }
+  return i;
+}
+
+// Unknowns are grouped by what ties them together: a distance between two points, or one pose.
+void assign_groups(Constraints& constraints) {
+  std::vector<int> parent(constraints.features.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::map<std::pair<int, int>, int> first_posed;
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
+    const auto& feature = constraints.features[i];
+    if (feature.location == Location::Posed) {
+      const auto [entry, is_new] = first_posed.try_emplace({feature.artefact, feature.placement}, i);
+      parent[root_of(parent, i)] = root_of(parent, entry->second);
+    }
+  }
+  for (const auto& distance : constraints.distances) {
+    if (distance.binds) {
+      parent[root_of(parent, distance.second)] = root_of(parent, distance.first);
+    }
+  }
+  constraints.groups.clear();
+  std::map<int, int> group_of_root;
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
+    auto& feature = constraints.features[i];
+    if (feature.location == Location::Base) {
+      feature.group = -1;
+      continue;
+    }
+    const auto [entry, is_new] =
+        group_of_root.try_emplace(root_of(parent, i), static_cast<int>(constraints.groups.size()));
+    if (is_new) {
+      const bool posed = feature.location == Location::Posed;
+      const bool tilted = !posed && feature.demand == Demand::OnPlane;
+      constraints.groups.push_back({posed, tilted, posed ? 6 : tilted ? 2 : 0});
+    }
+    feature.group = entry->second;
+    auto& group = constraints.groups[feature.group];
+    if (feature.location == Location::Unknown) {
+      feature.offset = group.size;
+      group.size += feature.demand == Demand::OnPlane ? 1 : 3;
+    }
+  }
+}
+
+// One entry a feature of the artefact, whatever the placements.
+void assign_shared(Constraints& constraints) {
+  using Quantity = SharedUnknown::Quantity;
+  constraints.shared.clear();
+  std::map<std::pair<int, int>, int> first_errors;
+  std::map<std::pair<int, int>, int> radii;
+  for (auto& feature : constraints.features) {
+    const CertifiedFeature& certified = constraints.artefacts[feature.artefact].features[feature.feature];
+    const std::pair<int, int> key{feature.artefact, feature.feature};
+    const int next = static_cast<int>(constraints.shared.size());
+    feature.first_error = feature.shared_radius = -1;
+    if (feature.location != Location::Unknown && certified.at && certified.u_at > 0.0) {
+      const auto [entry, is_new] = first_errors.try_emplace(key, next);
+      feature.first_error = entry->second;
+      for (const Quantity error : {Quantity::ErrorX, Quantity::ErrorY, Quantity::ErrorZ}) {
+        if (is_new) {
+          constraints.shared.push_back({key.first, key.second, error, 0.0, certified.u_at});
+        }
+      }
+    }
+    if (feature.demand == Demand::OnBall && (!certified.radius || certified.u_radius > 0.0)) {
+      const auto [entry, is_new] = radii.try_emplace(key, static_cast<int>(constraints.shared.size()));
+      feature.shared_radius = entry->second;
+      if (is_new) {
+        constraints.shared.push_back({key.first, key.second, Quantity::Radius, certified.radius.value_or(0.0),
+                                      certified.radius ? certified.u_radius : 0.0});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void assign_unknowns(Constraints& constraints) {
+  assign_groups(constraints);
+  assign_shared(constraints);
+}
+
+}  // namespace artcal

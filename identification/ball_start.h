@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace artcal {
+
+/// The point at given distances (mm) from given points (columns), by least squares. Nothing where the points do
+/// not determine it: fewer than four, or all in one plane.
+std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances);
+
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius = 0.0;
+};
+
+/// The ball that a tip of the given radii (mm, of each point) touched from outside with its centre at the points
+/// (columns), by least squares. Nothing where they do not determine it.
+std::optional<Ball> ball_touched_at(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& tip_radii);
+
+}  // namespace artcal

@@ -1,0 +1,183 @@
+#include "identification/plane_start.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+
+namespace artcal {
+namespace {
+
+// Of what the possible sides differ by: a certified distance missed by more does not tell the side.
+constexpr double told_clearly = 0.35;
+
+/// A certified distance between two planes of the group, by their places in it.
+struct Between {
+  std::size_t first = 0, second = 0;
+  double value = 0.0;
+};
+
+std::vector<Between> distances_between(const std::vector<Tips>& planes, const Constraints& constraints) {
+  const auto place_of = [&](int feature) {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (planes[i].feature == &constraints.features[feature]) {
+        return i;
+      }
+    }
+    return planes.size();
+  };
+  std::vector<Between> found;
+  for (const DistanceConstraint& distance : constraints.distances) {
+    const Between between{place_of(distance.first), place_of(distance.second), distance.value};
+    if (between.first < planes.size() && between.second < planes.size()) {
+      found.push_back(between);
+    }
+  }
+  return found;
+}
+
+// The readings' scatter about the mean of their own plane and tip radius.
+Eigen::Matrix3d scatter_of(const std::vector<Tips>& planes) {
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Tips& plane : planes) {
+    std::map<double, std::vector<Eigen::Index>> by_radius;
+    for (Eigen::Index k = 0; k < plane.radii.size(); ++k) {
+      by_radius[plane.radii[k]].push_back(k);
+    }
+    for (const auto& [radius, readings] : by_radius) {
+      const Eigen::Matrix3Xd tips = plane.centres(Eigen::all, readings);
+      const Eigen::Matrix3Xd about = tips.colwise() - Eigen::Vector3d(tips.rowwise().mean());
+      scatter += about * about.transpose();
+    }
+  }
+  return scatter;
+}
+
+/// What one plane is on either side.
+struct Placed {
+  double place = 0.0;
+  double squares = 0.0;  ///< of its readings about it
+};
+
+Placed placed(const Tips& plane, const Eigen::Vector3d& axis, const Eigen::Vector3d& origin, double side) {
+  const Eigen::VectorXd heights =
+      (axis.transpose() * (plane.centres.colwise() - origin)).transpose() - side * plane.radii;
+  const double place = heights.mean();
+  return {place, (heights.array() - place).square().sum()};
+}
+
+/// Sides of all planes, and how badly they explain readings and distances.
+struct Sides {
+  std::vector<double> of;
+  double cost = 0.0;
+};
+
+using BothSides = std::array<Placed, 2>;
+const Placed& on(const BothSides& plane, double side) { return plane[side > 0.0 ? 1 : 0]; }
+
+// From the first plane's side to those of the others, along the certified distances.
+Sides spread(double first_side, const std::vector<Tips>& planes, const std::vector<BothSides>& places,
+             const std::vector<Between>& distances) {
+  Sides sides{std::vector<double>(planes.size(), 0.0), on(places[0], first_side).squares};
+  sides.of[0] = first_side;
+  const auto reach_from = [&](std::size_t from, std::size_t to, double value) {
+    if (sides.of[from] == 0.0 || sides.of[to] != 0.0) {
+      return false;
+    }
+    const double cosine = planes[from].feature->normal.dot(planes[to].feature->normal);
+    double least = std::numeric_limits<double>::infinity();
+    for (const double side : {1.0, -1.0}) {
+      if (cosine * side * sides.of[from] < 0.0) {
+        continue;  // the certificate says otherwise
+      }
+      const double miss = std::abs(on(places[to], side).place - on(places[from], sides.of[from]).place) - value;
+      if (const double cost = miss * miss + on(places[to], side).squares; cost < least) {
+        least = cost;
+        sides.of[to] = side;
+      }
+    }
+    sides.cost += least;
+    return true;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Between& between : distances) {
+      changed |= reach_from(between.first, between.second, between.value);
+      changed |= reach_from(between.second, between.first, between.value);
+    }
+  }
+  return sides;
+}
+
+// Whether a distance is met well enough to tell the sides of its planes.
+bool tells_sides(const Between& between, const std::vector<Tips>& planes, const std::vector<BothSides>& places,
+                 const Sides& sides) {
+  const Tips& first = planes[between.first];
+  const Tips& second = planes[between.second];
+  const double cosine = first.feature->normal.dot(second.feature->normal);
+  const double diameter = first.radii.mean() + second.radii.mean();
+  if (cosine > 0.0 || diameter == 0.0) {
+    return true;  // the same way: the tip's radius does not enter
+  }
+  const double apart = std::abs(on(places[between.second], sides.of[between.second]).place -
+                                on(places[between.first], sides.of[between.first]).place);
+  const double possible = cosine < 0.0 ? 2.0 * diameter : diameter;
+  return std::abs(apart - between.value) <= told_clearly * possible;
+}
+
+}  // namespace
+
+Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constraints& constraints,
+                                   const std::string& called) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter_of(planes));
+  if (!(eigen.eigenvalues()[1] > 1e-9 * eigen.eigenvalues()[2])) {
+    return no_solution(
+        fmt::format("the plane of {} cannot be told from its readings: at least three are needed that are not on a "
+                    "line, on it or on planes certified to be parallel",
+                    called));
+  }
+  GroupState group;
+  Eigen::Index count = 0;
+  for (const Tips& plane : planes) {
+    group.reference.origin += plane.centres.rowwise().sum();
+    count += plane.centres.cols();
+  }
+  group.reference.origin /= static_cast<double>(count);
+  double squares = 0.0;
+  for (const Tips& plane : planes) {
+    squares += (plane.centres.colwise() - group.reference.origin).squaredNorm();
+  }
+  group.reference.size = std::sqrt(squares / static_cast<double>(count));
+  const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
+  const Eigen::Vector3d across = eigen.eigenvectors().col(2);
+  group.reference.rotation << across, axis.cross(across), axis;
+
+  std::vector<BothSides> places;
+  for (const Tips& plane : planes) {
+    places.push_back(
+        {placed(plane, axis, group.reference.origin, -1.0), placed(plane, axis, group.reference.origin, 1.0)});
+  }
+  const auto distances = distances_between(planes, constraints);
+  const Sides outward = spread(1.0, planes, places, distances);
+  const Sides inward = spread(-1.0, planes, places, distances);
+  const Sides& sides = inward.cost < outward.cost * (1.0 - 1e-9) ? inward : outward;
+  for (const Between& between : distances) {
+    if (!tells_sides(between, planes, places, sides)) {
+      return no_solution(
+          fmt::format("a certified distance between planes, {} mm at {}, is missed by so much that it does not show "
+                      "on which side of them the tip was; state the planes' normals, or begin with a better arm",
+                      between.value, called));
+    }
+  }
+  group.reference.sides = sides.of;
+  group.values = Eigen::VectorXd::Zero(2 + static_cast<Eigen::Index>(planes.size()));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    group.values[2 + static_cast<Eigen::Index>(i)] = on(places[i], sides.of[i]).place;
+  }
+  return group;
+}
+
+}  // namespace artcal

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identification/system.h"
+
+namespace artcal {
+
+/// Where an arm has the tips of one feature's readings.
+struct Tips {
+  const FeatureConstraint* feature = nullptr;
+  Eigen::Matrix3Xd centres;  ///< in the base frame, mm; a column a reading
+  Eigen::VectorXd radii;     ///< of the tip of each reading, mm
+};
+
+inline Tips tips_of(const System& system, const FeatureConstraint& feature, const std::vector<Sweep>& sweeps) {
+  Tips tips{&feature, Eigen::Matrix3Xd(3, feature.size()), Eigen::VectorXd(feature.size())};
+  for (int k = 0; k < feature.size(); ++k) {
+    const int reading = feature.readings[k];
+    const Sweep& sweep = sweeps[system.probes[reading]];
+    tips.centres.col(k) = sweep.tip_in_base(system.sines_of(reading));
+    tips.radii[k] = sweep.tip_radius();
+  }
+  return tips;
+}
+
+}  // namespace artcal
