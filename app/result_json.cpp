@@ -53,6 +53,16 @@ const char* name_of(ReadingKind kind) {
   return "length";
 }
 
+const char* name_of(SharedUnknown::Quantity quantity) {
+  switch (quantity) {
+    case SharedUnknown::Quantity::ErrorX: return "x";
+    case SharedUnknown::Quantity::ErrorY: return "y";
+    case SharedUnknown::Quantity::ErrorZ: return "z";
+    case SharedUnknown::Quantity::Radius: break;
+  }
+  return "radius";
+}
+
 const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
 
 Json coupling_json(const Coupling& coupling) {
@@ -93,6 +103,17 @@ Json parameters_json(const Identification& result) {
                     {"state", name_of(parameter.state)}});
   }
   return json;
+}
+
+Json artefact_value_json(const ArtefactValue& value) {
+  const bool certified = value.certified.has_value();
+  return {{"artefact", value.artefact},
+          {"feature", value.feature},
+          {"quantity", name_of(value.quantity)},
+          {"certified_mm", certified ? Json(*value.certified) : Json(nullptr)},
+          {"certified_standard_uncertainty_mm", certified ? Json(value.u_certified) : Json(nullptr)},
+          {"found_mm", value.found},
+          {"standard_uncertainty_mm", value.u}};
 }
 
 Json covariance_json(const Identification& result) {
@@ -192,6 +213,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
   json["parameters"] = parameters_json(result);
   json["covariance"] = covariance_json(result);
   json["noise"] = noise_json(options, result);
+  json["artefact_values"] = list(result.artefact_values, artefact_value_json);
   json["before"] = evaluation_json(result.before);
   json["after"] = evaluation_json(result.after);
   json["left_out"] = list(result.left_out, left_out_json);

@@ -145,6 +145,29 @@ std::string parameters_text(const Identification& result) {
   return table.text() + "\n";
 }
 
+// Radii that nobody certified, and certified values that the readings contradict.
+std::string artefacts_text(const Identification& result) {
+  Table table({"artefact, feature", "quantity", "certified, mm", "found, mm", "u (k = 1)"});
+  std::size_t rows = 0;
+  for (const ArtefactValue& value : result.artefact_values) {
+    const char* quantity = value.quantity == SharedUnknown::Quantity::ErrorX   ? "x"
+                           : value.quantity == SharedUnknown::Quantity::ErrorY ? "y"
+                           : value.quantity == SharedUnknown::Quantity::ErrorZ ? "z"
+                                                                               : "radius";
+    const bool contradicted = value.certified && std::abs(value.found - *value.certified) > 3.0 * value.u_certified;
+    if ((value.certified && !contradicted) || rows++ >= most_lengths) {
+      continue;
+    }
+    table.add({fmt::format("{}, {}", shown(value.artefact), shown(value.feature)), quantity,
+               value.certified ? mm(*value.certified) : "not", mm(value.found), fmt::format("{:.2g}", value.u)});
+  }
+  if (rows == 0) {
+    return {};
+  }
+  const std::string more = rows > most_lengths ? fmt::format("  and {} more\n", rows - most_lengths) : std::string();
+  return table.text() + more + "\n";
+}
+
 std::string noise_text(const Identification& result) {
   return fmt::format(
       "  noise of a reading {:.4g} mm a coordinate ({}), chi-squared {:.1f} with {} degrees of freedom\n\n",
@@ -202,8 +225,8 @@ std::string warnings_text(const std::vector<std::string>& warnings) {
 
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
   return title_text(recording, constraints, result) + summary_text(result) + warnings_text(result.warnings) +
-         placements_text(result) + lengths_text(result) + parameters_text(result) + noise_text(result) +
-         cannot_text(result.coupling) + outliers_text(recording, result);
+         placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
+         noise_text(result) + cannot_text(result.coupling) + outliers_text(recording, result);
 }
 
 std::string to_text(const Recording& recording, const Coupling& coupling) {

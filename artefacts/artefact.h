@@ -44,7 +44,7 @@ struct CertifiedFeature {
   std::optional<Eigen::Vector3d> at;      ///< certified coordinates; absent: the place is unknown
   double u_at = 0.0;                      ///< of each coordinate of `at`, mm; 0: they count as exact
   std::optional<Eigen::Vector3d> normal;  ///< of a plane, unit, out of the material; absent: unknown
-  std::optional<double> radius;           ///< of a sphere; absent: unknown, found in each placement
+  std::optional<double> radius;           ///< of a sphere; absent: unknown, one for all placements
   double u_radius = 0.0;                  ///< mm; 0: not stated
   std::optional<double> form;             ///< form deviation of a sphere or plane, mm
   double u_form = 0.0;                    ///< mm; 0: not stated

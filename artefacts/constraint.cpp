@@ -181,11 +181,9 @@ void add_distances(Constraints& constraints, const std::map<Key, int>& index,
       if (first == index.end() || second == index.end()) {
         continue;
       }
-      const bool binds = constraints.features[first->second].location == Location::Unknown &&
-                         constraints.features[second->second].location == Location::Unknown;
       constraints.distances.push_back({first->second, second->second,
                                        distance.value * artefact.expansion_factor(temperature),
-                                       uncertainty_at(distance, artefact, temperature), binds});
+                                       uncertainty_at(distance, artefact, temperature)});
     }
   }
 }

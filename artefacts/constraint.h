@@ -54,8 +54,10 @@ struct FeatureConstraint {
   std::vector<double> distances;       ///< the length of each reading, mm (AtDistance only)
   double u = 0.0;                      ///< standard uncertainty of what each reading brings, mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of a plane, unit, as certified; zero where it is not
-  double radius = 0.0;                               ///< of the ball in this placement, mm; 0 where it is unknown
-  double expansion = 1.0;                            ///< length in this placement / length at the reference temperature
+  double facing = 0.0;     ///< along the axis of a gauge (see UnknownGroup) or, -1, against it; 0: no face of a gauge
+  double height = 0.0;     ///< of a face along that axis, mm
+  double radius = 0.0;     ///< of the ball in this placement, mm; 0 where it is unknown
+  double expansion = 1.0;  ///< length in this placement / length at the reference temperature
   int first_error = -1;    ///< of three in Constraints::shared, of the certified coordinates; or -1
   int shared_radius = -1;  ///< into Constraints::shared: takes the place of `radius`; or -1
 
@@ -71,11 +73,15 @@ struct DistanceConstraint {
   int second = 0;
   double value = 0.0;  ///< mm at the temperature of the placement
   double u = 0.0;      ///< standard uncertainty, mm
-  bool binds = true;   ///< both ends are unknown; otherwise their coordinates say it already
+  bool binds = true;   ///< no end is certified; otherwise their coordinates say it already
 };
 
 /// Unknowns that hang together and with nothing else but the arm and what is shared: the points of one bar
 /// in one placement, the pose of one plate, or one plane and those that are certified to be parallel to it.
+///
+/// Where all that was read of a certified artefact in a placement are parallel planes (a step gauge), readings do
+/// not tell its pose, but only the direction of its axis (the first of the planes' normals) and its place along it.
+/// Its planes then share one place (FeatureConstraint::offset), from which each has its certified height.
 struct UnknownGroup {
   bool has_pose = false;  ///< the first six unknowns are a pose: turning (rad), then shift (mm)
   bool has_axis = false;  ///< the first two unknowns are the tilts of the normal that its planes share

@@ -8,6 +8,47 @@
 namespace artcal {
 namespace {
 
+constexpr double parallel = 0.99999;  // cosine
+
+const CertifiedFeature& certified(const FeatureConstraint& feature, const Constraints& constraints) {
+  return constraints.artefacts[feature.artefact].features[feature.feature];
+}
+
+// Its place in the group is its own.
+bool is_free(const FeatureConstraint& feature) {
+  return feature.location == Location::Unknown && feature.facing == 0.0;
+}
+
+// Finds the artefacts of which only parallel planes were read in a placement.
+void find_gauges(Constraints& constraints) {
+  struct Axis {
+    Eigen::Vector3d direction;
+    bool is_gauge;
+  };
+  const auto place_of = [](const FeatureConstraint& feature) { return std::pair{feature.artefact, feature.placement}; };
+  std::map<std::pair<int, int>, Axis> axes;
+  for (auto& feature : constraints.features) {
+    if (feature.facing != 0.0) {  // found with other readings beside it
+      feature.location = Location::Posed;
+      feature.facing = 0.0;
+    }
+    if (feature.location == Location::Posed) {
+      auto [entry, is_new] = axes.try_emplace(place_of(feature), Axis{feature.normal, true});
+      entry->second.is_gauge &=
+          feature.demand == Demand::OnPlane && std::abs(feature.normal.dot(entry->second.direction)) > parallel;
+    }
+  }
+  for (auto& feature : constraints.features) {
+    if (feature.location == Location::Posed && axes.at(place_of(feature)).is_gauge) {
+      const Eigen::Vector3d& axis = axes.at(place_of(feature)).direction;
+      feature.location = Location::Unknown;
+      feature.facing = feature.normal.dot(axis) < 0.0 ? -1.0 : 1.0;
+      feature.normal = feature.facing * axis;
+      feature.height = axis.dot(feature.known.front());
+    }
+  }
+}
+
 int root_of(std::vector<int>& parent, int i) {
   while (parent[i] != i) {
     i = parent[i] = parent[parent[i]];
@@ -22,12 +63,13 @@ void assign_groups(Constraints& constraints) {
   std::map<std::pair<int, int>, int> first_posed;
   for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
     const auto& feature = constraints.features[i];
-    if (feature.location == Location::Posed) {
+    if (feature.location == Location::Posed || feature.facing != 0.0) {
       const auto [entry, is_new] = first_posed.try_emplace({feature.artefact, feature.placement}, i);
       parent[root_of(parent, i)] = root_of(parent, entry->second);
     }
   }
-  for (const auto& distance : constraints.distances) {
+  for (auto& distance : constraints.distances) {
+    distance.binds = is_free(constraints.features[distance.first]) && is_free(constraints.features[distance.second]);
     if (distance.binds) {
       parent[root_of(parent, distance.second)] = root_of(parent, distance.first);
     }
@@ -50,7 +92,11 @@ void assign_groups(Constraints& constraints) {
     feature.group = entry->second;
     auto& group = constraints.groups[feature.group];
     if (feature.location == Location::Unknown) {
-      feature.offset = group.size;
+      feature.offset = feature.facing != 0.0 ? 2 : group.size;
+      if (feature.facing != 0.0) {
+        group.size = 3;
+        continue;
+      }
       group.size += feature.demand == Demand::OnPlane ? 1 : 3;
     }
   }
@@ -63,25 +109,25 @@ void assign_shared(Constraints& constraints) {
   std::map<std::pair<int, int>, int> first_errors;
   std::map<std::pair<int, int>, int> radii;
   for (auto& feature : constraints.features) {
-    const CertifiedFeature& certified = constraints.artefacts[feature.artefact].features[feature.feature];
+    const CertifiedFeature& value = certified(feature, constraints);
     const std::pair<int, int> key{feature.artefact, feature.feature};
     const int next = static_cast<int>(constraints.shared.size());
     feature.first_error = feature.shared_radius = -1;
-    if (feature.location != Location::Unknown && certified.at && certified.u_at > 0.0) {
+    if (!is_free(feature) && value.at && value.u_at > 0.0) {
       const auto [entry, is_new] = first_errors.try_emplace(key, next);
       feature.first_error = entry->second;
       for (const Quantity error : {Quantity::ErrorX, Quantity::ErrorY, Quantity::ErrorZ}) {
         if (is_new) {
-          constraints.shared.push_back({key.first, key.second, error, 0.0, certified.u_at});
+          constraints.shared.push_back({key.first, key.second, error, 0.0, value.u_at});
         }
       }
     }
-    if (feature.demand == Demand::OnBall && (!certified.radius || certified.u_radius > 0.0)) {
+    if (feature.demand == Demand::OnBall && (!value.radius || value.u_radius > 0.0)) {
       const auto [entry, is_new] = radii.try_emplace(key, static_cast<int>(constraints.shared.size()));
       feature.shared_radius = entry->second;
       if (is_new) {
-        constraints.shared.push_back({key.first, key.second, Quantity::Radius, certified.radius.value_or(0.0),
-                                      certified.radius ? certified.u_radius : 0.0});
+        constraints.shared.push_back(
+            {key.first, key.second, Quantity::Radius, value.radius.value_or(0.0), value.radius ? value.u_radius : 0.0});
       }
     }
   }
@@ -90,6 +136,7 @@ void assign_shared(Constraints& constraints) {
 }  // namespace
 
 void assign_unknowns(Constraints& constraints) {
+  find_gauges(constraints);
   assign_groups(constraints);
   assign_shared(constraints);
 }

@@ -19,8 +19,8 @@ Eigen::Vector3d nearest(const FeatureResidual& residual, int reading, const Swee
 }  // namespace
 
 bool needs_moving(const FeatureConstraint& feature, const Constraints& constraints) {
-  if (feature.location == Location::Unknown && feature.demand != Demand::AtDistance &&
-      feature.demand != Demand::OnBall) {
+  if (feature.demand == Demand::OnPlane ||
+      (feature.demand == Demand::Coincide && feature.location == Location::Unknown)) {
     return true;
   }
   return feature.shared_radius >= 0 && constraints.shared[feature.shared_radius].u == 0.0;

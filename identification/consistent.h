@@ -11,7 +11,8 @@ namespace artcal {
 /// readings that do not meet in their common point, and letting all lengths grow lets the residuals of any
 /// reading without a certified length grow; at the nominal arm, some mm off, that makes lost parameters look
 /// determined. With the readings on their constraints the rank is what it is for a perfect arm.
-/// Only what is not certified needs it: readings of unknown points and planes, and of balls of unknown radius.
+/// Readings of unknown points, of planes and of balls of unknown radius need it; those of certified coordinates,
+/// lengths and radii do not.
 ///
 /// REQUIRES: `unknowns` satisfy the distances. Changes System::sines; returns how many readings could not
 /// be moved (an arm stretched out, say), whose constraints are left as they are.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <Eigen/QR>
 
 #include "identification/consistent.h"
 #include "identification/settle.h"
@@ -98,6 +99,20 @@ Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& param
     motion[i] = parameters[i].is_angle() ? 0.0 : value(arm, parameters[i]);
   }
   return motion;
+}
+
+// The part of the growth that is seen whatever the tips' radii do: with balls of one size an unknown radius of the
+// tip takes up the growth of the ball.
+Eigen::VectorXd seen_beside_radii(const Eigen::VectorXd& growth, const Eigen::MatrixXd& null_space,
+                                  const std::vector<Parameter>& parameters) {
+  Eigen::MatrixXd unseen = null_space;
+  for (Eigen::Index i = 0; i < growth.size(); ++i) {
+    if (parameters[i].kind == ParameterKind::Radius) {
+      unseen.conservativeResize(growth.size(), unseen.cols() + 1);
+      unseen.rightCols<1>() = Eigen::VectorXd::Unit(growth.size(), i);
+    }
+  }
+  return growth - unseen * unseen.completeOrthogonalDecomposition().solve(growth);
 }
 
 // A length taken as known fixes the scale even if no reading does.
@@ -209,7 +224,8 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters);
   const Eigen::VectorXd seen = growth - null_space * (null_space.transpose() * growth);
   find_weak(v, system.scale, seen, lost_scaled, options.weak_below, coupling);
-  if (growth.norm() > 0.0 && scale_is_asked(arm, coupling.parameters) && seen.norm() < 1e-6 * growth.norm()) {
+  if (growth.norm() > 0.0 && scale_is_asked(arm, coupling.parameters) &&
+      seen_beside_radii(growth, null_space, coupling.parameters).norm() < 1e-6 * growth.norm()) {
     coupling.scale = ScaleState::Lost;
   } else if (std::any_of(coupling.weak.begin(), coupling.weak.end(),
                          [](const WeakDirection& weak) { return weak.share_of_scale > 0.7; })) {

@@ -13,6 +13,15 @@ double squared(const std::vector<double>& values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
+// A with A·Aᵀ = (RᵀR)⁻¹, by singular values; nothing where R is singular to working precision.
+std::optional<Eigen::MatrixXd> inverse_root(const Eigen::MatrixXd& triangle) {
+  const auto [sigma, v] = svd(triangle);
+  if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {
+    return std::nullopt;
+  }
+  return v * sigma.cwiseInverse().asDiagonal();
+}
+
 }  // namespace
 
 double WhitenedResiduals::readings_squared() const {
@@ -52,13 +61,23 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
 }
 
 std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, const Linearisation& linearisation) {
-  const Eigen::MatrixXd triangle = arm_triangle(linearisation, static_cast<int>(scale.size()));
-  const auto [sigma, v] = svd(triangle);
-  if (!(sigma.size() > 0 && sigma.minCoeff() > 1e-12 * sigma.maxCoeff())) {
+  const auto root = inverse_root(arm_triangle(linearisation, static_cast<int>(scale.size())));
+  if (!root) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd root = scale.asDiagonal() * v * sigma.cwiseInverse().asDiagonal();
-  return root * root.transpose();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * *root;
+  return scaled * scaled.transpose();
+}
+
+std::optional<Eigen::VectorXd> shared_variances(const Linearisation& linearisation, int arm_size) {
+  if (linearisation.shared == 0) {
+    return Eigen::VectorXd();
+  }
+  const auto root = inverse_root(common_triangle(linearisation, arm_size));
+  if (!root) {
+    return std::nullopt;
+  }
+  return Eigen::VectorXd(root->topRows(linearisation.shared).rowwise().squaredNorm());
 }
 
 }  // namespace artcal

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <map>
 
+#include "identification/ball_start.h"
 #include "identification/residual.h"
 #include "identification/settle.h"
+#include "identification/tips.h"
 
 namespace artcal {
 namespace {
@@ -31,7 +33,7 @@ struct Sum {
   }
 };
 
-Eigen::Vector3d point_in_base(const FeatureConstraint& feature, const Unknowns& unknowns) {
+Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns& unknowns) {
   switch (feature.location) {
     case Location::Unknown: return unknowns.groups[feature.group].values.segment<3>(feature.offset);
     case Location::Posed: return base_from_artefact(unknowns.groups[feature.group]) * feature.known.front();
@@ -40,14 +42,33 @@ Eigen::Vector3d point_in_base(const FeatureConstraint& feature, const Unknowns& 
   return feature.known.front();
 }
 
-double measured(const DistanceConstraint& distance, const Constraints& constraints, const Unknowns& unknowns) {
-  const FeatureConstraint& first = constraints.features[distance.first];
-  const FeatureConstraint& second = constraints.features[distance.second];
-  if (distance.binds && first.demand == Demand::OnPlane) {
-    const Eigen::VectorXd& values = unknowns.groups[first.group].values;
-    return std::abs(values[second.offset] - values[first.offset]);
+/// Where an arm has one feature by its own readings alone, whatever its artefact says of the others.
+struct Measured {
+  Eigen::Vector3d point_in_base;  ///< of a point or centre
+  double height = 0.0;            ///< of a plane along its group's axis
+};
+
+Measured measure(const Tips& tips, const Unknowns& unknowns) {
+  const FeatureConstraint& feature = *tips.feature;
+  Measured measured{tips.centres.rowwise().mean(), 0.0};
+  if (feature.demand == Demand::OnPlane && feature.location == Location::Unknown) {
+    const GroupState& group = unknowns.groups[feature.group];
+    const PlaneAxis axis(group.reference, group.values.data());
+    const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
+    measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
+  } else if (feature.demand != Demand::Coincide) {
+    // Readings that do not determine a centre leave it where the artefact has it.
+    measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))
+                                 .value_or(certified_point(feature, unknowns));
   }
-  return (point_in_base(first, unknowns) - point_in_base(second, unknowns)).norm();
+  return measured;
+}
+
+double measured_length(const Tips& first, const Tips& second, const Unknowns& unknowns) {
+  const Measured from = measure(first, unknowns);
+  const Measured to = measure(second, unknowns);
+  return first.feature->demand == Demand::OnPlane ? std::abs(to.height - from.height)
+                                                  : (to.point_in_base - from.point_in_base).norm();
 }
 
 }  // namespace
@@ -91,9 +112,10 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   for (const auto& distance : constraints.distances) {
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
+    const double length = measured_length(tips_of(system, first, sweeps), tips_of(system, second, sweeps), *unknowns);
     evaluation.lengths.push_back({name_of(first, constraints, recording),
                                   name_of(second, constraints, recording).feature, distance.value,
-                                  measured(distance, constraints, *unknowns) - distance.value});
+                                  length - distance.value});
   }
   return evaluation;
 }

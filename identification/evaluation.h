@@ -17,7 +17,8 @@ struct FeatureDeviation {
   double maximum = 0.0;
 };
 
-/// A certified distance as the arm measures it between the fitted points or centres, mm.
+/// A certified distance as the arm measures it, mm: between two points or centres, each from its own readings, or
+/// between two parallel planes along the normal that all readings of both have in common.
 struct LengthDeviation {
   FeatureName first;
   std::string second;      ///< the other feature, same artefact and placement

@@ -47,10 +47,9 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   if (!selection) {
     return tl::unexpected(selection.error());
   }
-  const auto start =
-      arm_with_fitted_tips(recording, constraints, nominal, options.hold).and_then([&](const Arm& with_tips) {
-        return arm_near_the_balls(recording, constraints, with_tips, *selection);
-      });
+  const auto start = arm_with_fitted_tips(recording, constraints, nominal, options.hold).map([&](const Arm& with_tips) {
+    return arm_near_the_balls(recording, constraints, with_tips, *selection);
+  });
   if (!start) {
     return tl::unexpected(start.error());
   }
@@ -112,6 +111,23 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
                    free >= 0 ? std::sqrt(covariance(free, free)) : 0.0, state});
   }
   return all;
+}
+
+std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit, double enlargement) {
+  const auto variances = shared_variances(fit.linearisation, static_cast<int>(fit.scale.size()));
+  std::vector<ArtefactValue> values;
+  for (std::size_t s = 0; s < constraints.shared.size() && variances; ++s) {
+    const SharedUnknown& shared = constraints.shared[s];
+    const Artefact& artefact = constraints.artefacts[shared.artefact];
+    const CertifiedFeature& feature = artefact.features[shared.feature];
+    const auto i = static_cast<Eigen::Index>(s);
+    const bool radius = shared.quantity == SharedUnknown::Quantity::Radius;
+    const double from = radius ? 0.0 : (*feature.at)[static_cast<Eigen::Index>(shared.quantity)];
+    values.push_back({artefact.name, feature.name, shared.quantity,
+                      shared.u > 0.0 ? std::optional(from + shared.certified) : std::nullopt, shared.u,
+                      from + fit.unknowns.shared[i], enlargement * std::sqrt((*variances)[i])});
+  }
+  return values;
 }
 
 // Things that are no error but that a careful person would want to know.
@@ -216,6 +232,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
                                     [&](const auto& described) { return described.parameter.name == parameter.name; });
     result.free.push_back(static_cast<int>(found - result.parameters.begin()));
   }
+  result.artefact_values = describe_artefacts(constraints, *fit, result.enlargement);
   result.before = *before;
   result.after = *after;
   result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,17 @@ struct IdentifiedParameter {
   ParameterState state = ParameterState::Identified;
 };
 
+/// What the readings say of a number of an artefact itself (Constraints::shared): a ball's radius, or one of the
+/// coordinates that its certificate states with an uncertainty.
+struct ArtefactValue {
+  std::string artefact, feature;
+  SharedUnknown::Quantity quantity = SharedUnknown::Quantity::Radius;
+  std::optional<double> certified;  ///< mm at the reference temperature
+  double u_certified = 0.0;         ///< standard uncertainty, mm; 0 where nothing is certified
+  double found = 0.0;               ///< mm at the reference temperature, from certificate and readings together
+  double u = 0.0;                   ///< standard uncertainty, mm
+};
+
 /// A reading whose standardised residual is larger than chance allows among so many.
 struct Outlier {
   int reading = 0;  ///< into Recording::readings
@@ -61,6 +73,7 @@ struct Identification {
   std::vector<int> free;       ///< indices into parameters, in the order of the covariance
   Eigen::MatrixXd covariance;  ///< of these, in mm and rad
   Coupling coupling;
+  std::vector<ArtefactValue> artefact_values;  ///< as Constraints::shared
   Evaluation before, after;
   std::vector<LeftOut> left_out;
   std::vector<Outlier> outliers;

@@ -130,14 +130,18 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
   return result;
 }
 
-Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size) {
+Eigen::MatrixXd common_triangle(const Linearisation& linearisation, int arm_size) {
   const int common = linearisation.shared + arm_size;
   TriangularFactor factor(common);
   for (const Eigen::MatrixXd& triangle : linearisation.triangles) {
     const auto unknowns = static_cast<int>(triangle.cols()) - 1 - common;
     factor.add(eliminate_leading(triangle.topLeftCorner(unknowns + common, unknowns + common), unknowns));
   }
-  return eliminate_leading(factor.triangle(), linearisation.shared);
+  return factor.triangle();
+}
+
+Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size) {
+  return eliminate_leading(common_triangle(linearisation, arm_size), linearisation.shared);
 }
 
 Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept) {

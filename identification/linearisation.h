@@ -58,6 +58,9 @@ inline double weighted_shared(const SharedUnknown& shared, double weight, double
   return weight * (value - shared.certified);
 }
 
+/// The triangle of [shared unknowns | arm's parameters], the groups' unknowns eliminated.
+Eigen::MatrixXd common_triangle(const Linearisation& linearisation, int arm_size);
+
 /// The triangle of the arm's parameters alone, all unknowns eliminated: at most one row a parameter.
 Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size);
 

@@ -12,7 +12,7 @@ namespace artcal {
 namespace {
 
 // Of what the possible sides differ by: a certified distance missed by more does not tell the side.
-constexpr double told_clearly = 0.35;
+constexpr double told_clearly = 0.45;
 
 /// A certified distance between two planes of the group, by their places in it.
 struct Between {
@@ -128,6 +128,29 @@ bool tells_sides(const Between& between, const std::vector<Tips>& planes, const 
   return std::abs(apart - between.value) <= told_clearly * possible;
 }
 
+// A gauge looks along the axis or against it: its certified heights and its tips' radii agree with one.
+void settle_gauge(const std::vector<Tips>& faces, GroupState& group) {
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Matrix3d turned = group.reference.rotation;
+  turned.rightCols<2>() *= -1.0;
+  for (const Eigen::Matrix3d& rotation : {group.reference.rotation, turned}) {
+    std::vector<double> places;
+    for (const Tips& face : faces) {
+      const Eigen::RowVectorXd heights =
+          rotation.col(2).transpose() * (face.centres.colwise() - group.reference.origin);
+      for (Eigen::Index k = 0; k < heights.size(); ++k) {
+        places.push_back(heights[k] - face.feature->height - face.feature->facing * face.radii[k]);
+      }
+    }
+    const auto all = Eigen::ArrayXd::Map(places.data(), static_cast<Eigen::Index>(places.size()));
+    if (const double squares = (all - all.mean()).square().sum(); squares < least * (1.0 - 1e-9)) {
+      least = squares;
+      group.reference.rotation = rotation;
+      group.values = Eigen::Vector3d(0.0, 0.0, all.mean());
+    }
+  }
+}
+
 }  // namespace
 
 Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constraints& constraints,
@@ -155,6 +178,10 @@ Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constr
   const Eigen::Vector3d across = eigen.eigenvectors().col(2);
   group.reference.rotation << across, axis.cross(across), axis;
 
+  if (planes.front().feature->facing != 0.0) {
+    settle_gauge(planes, group);
+    return group;
+  }
   std::vector<BothSides> places;
   for (const Tips& plane : planes) {
     places.push_back(
@@ -166,10 +193,10 @@ Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constr
   const Sides& sides = inward.cost < outward.cost * (1.0 - 1e-9) ? inward : outward;
   for (const Between& between : distances) {
     if (!tells_sides(between, planes, places, sides)) {
-      return no_solution(
-          fmt::format("a certified distance between planes, {} mm at {}, is missed by so much that it does not show "
-                      "on which side of them the tip was; state the planes' normals, or begin with a better arm",
-                      between.value, called));
+      return no_solution(fmt::format(
+          "a certified distance between planes, {} mm at {}, is missed by so much that it does not show "
+          "on which side of them the tip was; state `at` and `normal` of the planes, or begin with a better arm",
+          between.value, called));
     }
   }
   group.reference.sides = sides.of;

@@ -16,6 +16,8 @@ namespace artcal {
 /// faces look the same way. For a plane alone the side matters only where tips of different size touched it, and
 /// then it is the one where these agree.
 ///
+/// Faces of a gauge have certified sides and heights; its axis then points to where these rise.
+///
 /// No solution, as a sentence about `called`: readings on a line; an arm that misses a certified distance by so
 /// much that the side cannot be told.
 Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constraints& constraints,

@@ -55,8 +55,8 @@ FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const Grou
     columns_ = 3;
     column_[2] = constraint.offset;
     axis_ = PlaneAxis(reference, group_values);
-    place_ = group_values[constraint.offset];
-    side_ = reference.sides[constraint.offset - 2];
+    place_ = group_values[constraint.offset] + constraint.height;
+    side_ = constraint.facing != 0.0 ? constraint.facing : reference.sides[constraint.offset - 2];
   } else if (constraint.location == Location::Unknown) {
     columns_ = 3;
     column_ = {constraint.offset, constraint.offset + 1, constraint.offset + 2};
@@ -80,6 +80,10 @@ Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, d
   r.rows = 1;
   const Eigen::Vector3d from_origin = tip_in_base - axis_.origin;
   r.value[0] = side_ * (axis_.direction.dot(from_origin) - place_) - tip_radius;
+  if (constraint_.first_error >= 0) {
+    r.value[0] -= constraint_.normal.dot(error_);
+    r.by_errors.row(0) = -constraint_.expansion * constraint_.normal.transpose();
+  }
   r.by_tip.row(0) = side_ * axis_.direction.transpose();
   r.by_unknowns.row(0).head<2>() = side_ * from_origin.transpose() * axis_.by_tilts;
   r.by_unknowns(0, 2) = -side_;

@@ -39,7 +39,8 @@ struct PlaneAxis {
 ///   AtDistance:     r = |e| − ρ        (one row; signed and smooth away from the centre)
 ///   OnBall:         r = |e| − (R + r0) with the radii of ball and tip
 ///   OnPlane:        r = n·e − r0       with the outward normal n, in the same frame as e
-/// An unknown plane with its axis a, see GroupState: r = ±(a·(P − origin) − o) − r0.
+/// An unknown plane with its axis a, see GroupState: r = ±(a·(P − origin) − o) − r0, o being the group's place
+/// and the certified height for a face of a gauge.
 /// Certified coordinates c carry their errors, if these are unknowns: c + expansion·errors.
 class FeatureResidual {
  public:

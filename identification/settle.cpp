@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -27,16 +28,6 @@ std::string called(const FeatureConstraint& feature, const Constraints& constrai
                      name.placement);
 }
 
-// Distances of a feature's tips from its point or centre.
-Eigen::VectorXd distances_of(const Tips& tips, const Eigen::VectorXd& shared) {
-  const FeatureConstraint& feature = *tips.feature;
-  if (feature.demand == Demand::AtDistance) {
-    return Eigen::VectorXd::Map(feature.distances.data(), feature.size());
-  }
-  const double radius = feature.shared_radius >= 0 ? feature.expansion * shared[feature.shared_radius] : feature.radius;
-  return tips.radii.array() + radius;
-}
-
 // The rigid motion that takes `from` to `onto` with the least squares (Kabsch 1976); nothing for points on a line.
 std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& onto) {
   const Eigen::Vector3d from_mean = from.rowwise().mean();
@@ -52,8 +43,8 @@ std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd&
   return onto_from;
 }
 
-// Gauss-Newton on the six numbers of a pose, all posed features of the group together.
-void refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, GroupState& group) {
+// Gauss-Newton on the six numbers of a pose, all posed features of the group together. False if they do not tell it.
+bool refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, GroupState& group) {
   for (int iteration = 0; iteration < 50; ++iteration) {
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
     Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
@@ -66,6 +57,12 @@ void refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& share
         gradient += slope.transpose() * r.value.head(r.rows);
       }
     }
+    const Eigen::Matrix<double, 6, 1> unit = normal.diagonal().cwiseSqrt().cwiseInverse();
+    const auto scaled = (unit.asDiagonal() * normal * unit.asDiagonal()).eval();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(scaled, Eigen::EigenvaluesOnly);
+    if (!(eigen.eigenvalues()[0] > 1e-12)) {
+      return false;
+    }
     const Eigen::Matrix<double, 6, 1> step = -normal.ldlt().solve(gradient);
     group.values.head<6>() += step;
     if (step.norm() <= 1e-12 * (1.0 + group.values.head<6>().norm())) {
@@ -74,12 +71,15 @@ void refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& share
   }
   group.reference.rotation *= rotation_of(group.values.head<3>());
   group.values.head<3>().setZero();
+  return true;
 }
 
 Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, const std::string& called,
                            GroupState& group) {
   std::vector<Eigen::Vector3d> from;
   std::vector<Eigen::Vector3d> onto;
+  std::vector<Eigen::Vector3d> planes_from;
+  std::vector<Eigen::Vector3d> planes_onto;
   for (const Tips& tips : features) {
     const FeatureConstraint& feature = *tips.feature;
     if (feature.demand == Demand::Coincide) {
@@ -87,12 +87,20 @@ Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::Vecto
       for (const auto& tip : tips.centres.colwise()) {
         onto.emplace_back(tip);
       }
-    } else if (feature.demand != Demand::OnPlane) {
-      if (const auto centre = point_at_distances(tips.centres, distances_of(tips, shared))) {
+    } else if (feature.demand == Demand::OnPlane) {
+      // The middle of a plane's readings for the point of it that is certified: near enough to begin with.
+      planes_from.push_back(feature.known.front() + tips.radii.mean() * feature.normal);
+      planes_onto.emplace_back(tips.centres.rowwise().mean());
+    } else {
+      if (const auto centre = point_at_distances(tips.centres, distances_from_centre(tips, shared))) {
         from.push_back(feature.known.front());
         onto.push_back(*centre);
       }
     }
+  }
+  if (from.size() < 3) {
+    from.insert(from.end(), planes_from.begin(), planes_from.end());
+    onto.insert(onto.end(), planes_onto.begin(), planes_onto.end());
   }
   const auto matrix = [](const std::vector<Eigen::Vector3d>& points) {
     return Eigen::Matrix3Xd::Map(points.empty() ? nullptr : points.front().data(), 3,
@@ -108,7 +116,12 @@ Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::Vecto
   group.reference.rotation = pose->rotation;
   group.values = Eigen::VectorXd::Zero(6);
   group.values.segment<3>(3) = pose->translation;
-  refine_pose(features, shared, group);
+  if (!refine_pose(features, shared, group)) {
+    return no_solution(
+        fmt::format("the pose of the artefact of {} cannot be told from readings on these planes: three "
+                    "are needed, no two of them parallel",
+                    called));
+  }
   return {};
 }
 
@@ -192,7 +205,7 @@ Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording&
       const FeatureConstraint& feature = *tips.feature;
       const auto centre = feature.demand == Demand::Coincide
                               ? std::optional<Eigen::Vector3d>(tips.centres.rowwise().mean())
-                              : point_at_distances(tips.centres, distances_of(tips, unknowns.shared));
+                              : point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared));
       if (!centre) {
         return no_solution(
             fmt::format("the centre of {} cannot be told from its {} readings: at least four are needed, "

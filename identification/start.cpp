@@ -1,6 +1,8 @@
 #include "identification/start.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 #include "identification/arm_fit.h"
 #include "identification/coupling.h"
@@ -28,30 +30,45 @@ std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>
   return tips;
 }
 
-// Contact points all over a ball have an rms distance of one radius from their mean, of a part of it less.
-constexpr double balls_still_seen = 1.1;
-// Where the radius is not known, the deviation from the best sphere tells, against that sphere's own radius.
-constexpr double roundness_still_seen = 0.25;
+// Below this share of a ball's radius readings are surely on the side of it where the arm has them.
+constexpr double round_enough = 0.03;
+// For choosing between two starts, mm: coarse enough for arms that are still far off.
+constexpr double choosing_noise = 0.05;
+constexpr int choosing_iterations = 40;
 
-bool sees_the_balls(const Recording& recording, const Constraints& constraints, const Evaluation& as_points,
-                    const Arm& arm) {
-  const System system = make_system(recording, constraints, arm, {});
-  const auto unknowns = settle(system, arm, recording);
+bool has_balls(const Constraints& constraints) {
+  return std::any_of(constraints.features.begin(), constraints.features.end(),
+                     [](const FeatureConstraint& feature) { return feature.demand == Demand::OnBall; });
+}
+
+bool sees_the_balls(const Recording& recording, const Constraints& constraints, const Arm& arm) {
   const auto as_balls = evaluate(recording, constraints, arm);
-  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
+  for (std::size_t f = 0; as_balls && f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    if (feature.demand != Demand::OnBall) {
-      continue;
-    }
     const double tip_radius = arm.probes[recording.readings[feature.readings.front()].probe].radius;
-    if (feature.radius > 0.0 ? as_points.features[f].rms > balls_still_seen * (feature.radius + tip_radius)
-                             : !unknowns || !as_balls ||
-                                   as_balls->features[f].rms >
-                                       roundness_still_seen * (unknowns->shared[feature.shared_radius] + tip_radius)) {
+    // Of a ball of unknown size at least the tip is known; where that is a point, any readings may be another ball.
+    if (feature.demand == Demand::OnBall &&
+        !(as_balls->features[f].rms < round_enough * (feature.radius + tip_radius))) {
       return false;
     }
   }
-  return true;
+  return as_balls.has_value();
+}
+
+// The free parameters fitted from a start, with what these constraints cannot tell held.
+Expected<ArmFit> fitted(const Recording& recording, const Constraints& constraints, const Arm& start,
+                        const Selection& selection, double noise) {
+  const auto coupling = analyse_coupling(recording, constraints, start, coupling_options(selection));
+  if (!coupling) {
+    return tl::unexpected(coupling.error());
+  }
+  const auto free = free_parameters(selection, *coupling);
+  if (!free) {
+    return tl::unexpected(free.error());
+  }
+  Noise as_given;
+  as_given.reading = noise;
+  return fit_arm(recording, constraints, start, *free, as_given, {Loss::None, choosing_iterations});
 }
 
 }  // namespace
@@ -78,26 +95,28 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
   return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
 }
 
-Expected<Arm> arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
-                                 const Selection& selection) {
-  const Constraints points = balls_as_points(constraints);
-  const auto as_points = evaluate(recording, points, start);
-  if (!as_points || sees_the_balls(recording, constraints, *as_points, start)) {
+Arm arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
+                       const Selection& selection) {
+  if (!has_balls(constraints) || sees_the_balls(recording, constraints, start)) {
     return start;
   }
-  const auto coupling = analyse_coupling(recording, points, start, coupling_options(selection));
-  if (!coupling) {
-    return tl::unexpected(coupling.error());
+  std::vector<Arm> starts{start};
+  const Constraints points = balls_as_points(constraints);
+  if (const auto as_points = evaluate(recording, points, start)) {
+    if (const auto fit = fitted(recording, points, start, selection, as_points->overall.rms)) {
+      starts.push_back(fit->arm);
+    }
   }
-  const auto free = free_parameters(selection, *coupling);
-  if (!free) {
-    return tl::unexpected(free.error());
+  const Arm* best = &start;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Arm& candidate : starts) {
+    const auto fit = fitted(recording, constraints, candidate, selection, choosing_noise);
+    if (fit && fit->cost < least) {
+      least = fit->cost;
+      best = &candidate;
+    }
   }
-  Noise as_large_as_the_balls;
-  as_large_as_the_balls.reading = as_points->overall.rms;
-  return fit_arm(recording, points, start, *free, as_large_as_the_balls, {}).map([](const ArmFit& fit) {
-    return fit.arm;
-  });
+  return *best;
 }
 
 }  // namespace artcal

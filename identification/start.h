@@ -13,11 +13,12 @@ namespace artcal {
 Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints& constraints, const Arm& nominal,
                                    const std::vector<std::string>& held);
 
-/// The same arm, or where it is further off than the balls are large, one that is near enough: identified
-/// with each ball taken for a point. From an arm that misses by more than a ball's radius the readings do
-/// not show on which side of them the ball is, and a fit to its surface would end anywhere.
-/// What `selection` holds stays held, and so does what the points alone cannot tell.
-Expected<Arm> arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
-                                 const Selection& selection);
+/// The same arm, or where it is too far off for the balls to be seen, one that is near enough. From an arm that
+/// misses by a good part of a ball's radius, readings on half a ball fit one on the wrong side of them as
+/// well, and a fit to its surface may end anywhere. So where the readings are not round (3 % of the radius),
+/// the arm is also identified with each ball taken for a point, and of the two starts the one is taken from which a
+/// fit to the balls ends lower. What `selection` holds stays held, and so does what the points alone cannot tell.
+Arm arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
+                       const Selection& selection);
 
 }  // namespace artcal

@@ -26,4 +26,14 @@ inline Tips tips_of(const System& system, const FeatureConstraint& feature, cons
   return tips;
 }
 
+/// How far the tips of a ball or anchor are to be from its centre, mm.
+inline Eigen::VectorXd distances_from_centre(const Tips& tips, const Eigen::VectorXd& shared) {
+  const FeatureConstraint& feature = *tips.feature;
+  if (feature.demand == Demand::AtDistance) {
+    return Eigen::VectorXd::Map(feature.distances.data(), feature.size());
+  }
+  const double radius = feature.shared_radius >= 0 ? feature.expansion * shared[feature.shared_radius] : feature.radius;
+  return tips.radii.array() + radius;
+}
+
 }  // namespace artcal

@@ -204,13 +204,22 @@ TEST(Coupling, AKnownLengthKeepsTheScale) {
   EXPECT_NE(analyse(ReadingKind::Point, 4, options).scale, ScaleState::Lost);
 }
 
-// The radius of the tip is known; asked about, it goes with every radius and place that is not.
+// The radius of the tip is known; asked about, it goes with every radius and place that is not. With balls of one
+// size it also takes up the growth of the ball: known radii then tell no scale.
 TEST(Coupling, TheTipsRadiusIsTold) {
   CouplingOptions options;
   options.radii_asked = {"radius"};
   const Coupling balls = analyse(ReadingKind::Sphere, 4, options);
   EXPECT_EQ(balls.parameters.back().name, "radius");
-  EXPECT_EQ(balls.rank, 22);
+  EXPECT_EQ(balls.rank, 21);
+  EXPECT_EQ(balls.scale, ScaleState::Lost);
+  expect_equation(balls, "d2",
+                  {{"d2", 1.0},
+                   {"d3", 792.7 / 65.5},
+                   {"d4", 1.0},
+                   {"d5", 883.2 / 65.5},
+                   {"l", 183.5 / 65.5},
+                   {"radius", 12.7 / 65.5}});
   for (const ReadingKind kind : {ReadingKind::UnknownSphere, ReadingKind::Plane, ReadingKind::Point}) {
     const Coupling none = analyse(kind, 4, options);
     EXPECT_EQ(none.rank, 20);

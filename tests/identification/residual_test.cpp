@@ -10,6 +10,7 @@ namespace {
 struct Case {
   Location location;
   Demand demand;
+  double facing = 0.0;
 };
 
 /// Everything a residual depends on, as one vector: tip (3), tip radius, group (6), shared (4).
@@ -30,7 +31,9 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
     constraint.normal = random.direction();
     constraint.expansion = 1.25;
     constraint.offset = constraint.location == Location::Unknown ? 3 : 0;
-    constraint.first_error = constraint.location == Location::Unknown ? -1 : 0;
+    constraint.facing = GetParam().facing;
+    constraint.height = 70.0;
+    constraint.first_error = constraint.location == Location::Unknown && constraint.facing == 0.0 ? -1 : 0;
     constraint.shared_radius = constraint.demand == Demand::OnBall ? 3 : -1;
     const GroupReference reference{random.rotation(), 50.0 * random.direction(), 200.0, {1.0, -1.0}};
     Arguments at;
@@ -63,6 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, ResidualDerivatives,
     ::testing::Values(Case{Location::Unknown, Demand::Coincide}, Case{Location::Unknown, Demand::AtDistance},
                       Case{Location::Unknown, Demand::OnBall}, Case{Location::Unknown, Demand::OnPlane},
+                      Case{Location::Unknown, Demand::OnPlane, 1.0}, Case{Location::Unknown, Demand::OnPlane, -1.0},
                       Case{Location::Posed, Demand::Coincide}, Case{Location::Posed, Demand::AtDistance},
                       Case{Location::Posed, Demand::OnBall}, Case{Location::Posed, Demand::OnPlane},
                       Case{Location::Base, Demand::Coincide}, Case{Location::Base, Demand::AtDistance},

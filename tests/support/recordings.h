@@ -30,6 +30,30 @@ inline Bound read_bound(const std::string& path) {
   return {std::move(*recording), std::move(*constraints)};
 }
 
+/// The readings of two sessions of one arm as one recording; artefacts of the same name are the same.
+inline Bound joined(Bound first, const Bound& second) {
+  Recording& all = first.recording;
+  const Recording& more = second.recording;
+  const Eigen::Index before = all.joints.cols();
+  all.joints.conservativeResize(Eigen::NoChange, before + more.joints.cols());
+  all.joints.rightCols(more.joints.cols()) = more.joints;
+  std::vector<Artefact> artefacts = first.constraints.artefacts;
+  for (const Artefact& artefact : second.constraints.artefacts) artefacts.push_back(artefact);
+  // A reading that names no artefact means the only one, which it no longer is.
+  const auto name_of = [](const Bound& bound, const Reading& reading) {
+    const std::string& name = bound.recording.artefacts.name(reading.artefact);
+    return name.empty() ? bound.constraints.artefacts.front().name : name;
+  };
+  for (Reading& reading : all.readings) reading.artefact = all.artefacts.index_of(name_of(first, reading));
+  for (Reading reading : more.readings) {
+    reading.artefact = all.artefacts.index_of(name_of(second, reading));
+    reading.placement = all.placements.index_of(more.placements.name(reading.placement));
+    reading.feature = all.features.index_of(more.features.name(reading.feature));
+    all.readings.push_back(reading);
+  }
+  return bind(std::move(first.recording), std::move(artefacts));
+}
+
 inline Identification identified(const Bound& bound, const IdentifyOptions& options) {
   auto result = identify(bound.recording, bound.constraints, options);
   if (!result) throw std::runtime_error(result.error().text());
