@@ -1,7 +1,9 @@
 #include "identification/ball_start.h"
 
 #include <cmath>
+#include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 namespace artcal {
@@ -23,18 +25,17 @@ std::optional<Eigen::Vector3d> linear_centre(const Eigen::Matrix3Xd& p, const Ei
   return Eigen::Vector3d(qr.solve(b).head<3>());
 }
 
+struct Fitted {
+  Ball ball;
+  double squares = 0.0;
+};
+
 // Gauss-Newton on |p − c| = ρ + addend, the addend free or not.
-std::optional<Ball> refine(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& rho, bool addend_is_free) {
-  const Eigen::Vector3d mean = points.rowwise().mean();
-  const Eigen::Matrix3Xd p = points.colwise() - mean;
-  const double size = p.norm() / std::sqrt(static_cast<double>(p.cols()));
-  const auto start = linear_centre(p, rho, size);
-  if (!start) {
-    return std::nullopt;
-  }
-  Ball ball{*start, 0.0};
+std::optional<Fitted> refine(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size, Ball ball,
+                             bool addend_is_free) {
   const Eigen::Index unknowns = addend_is_free ? 4 : 3;
   Eigen::MatrixXd slope(p.cols(), unknowns);
+  Eigen::VectorXd miss;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::Matrix3Xd away = (-p).colwise() + ball.centre;
     const Eigen::VectorXd length = away.colwise().norm();
@@ -43,25 +44,53 @@ std::optional<Ball> refine(const Eigen::Matrix3Xd& points, const Eigen::VectorXd
     }
     slope.leftCols<3>() = away.transpose().array().colwise() / length.array();
     slope.rightCols(unknowns - 3).setConstant(-1.0);
-    const Eigen::VectorXd step = slope.colPivHouseholderQr().solve(((rho - length).array() + ball.radius).matrix());
+    miss = (rho - length).array() + ball.radius;
+    const Eigen::VectorXd step = slope.colPivHouseholderQr().solve(miss);
     ball.centre += step.head<3>();
     ball.radius += addend_is_free ? step[3] : 0.0;
     if (step.norm() <= 1e-13 * (size + ball.centre.norm())) {
       break;
     }
   }
-  return Ball{ball.centre + mean, ball.radius};
+  return Fitted{ball, miss.squaredNorm()};
+}
+
+// The best of the fits begun at the linear centre and, because readings on half a ball that scatter by a good
+// part of its radius fit one on the wrong side of them as well, on either side of the readings.
+std::optional<Ball> best_fit(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& rho, bool addend_is_free) {
+  const Eigen::Vector3d mean = points.rowwise().mean();
+  const Eigen::Matrix3Xd p = points.colwise() - mean;
+  const double size = p.norm() / std::sqrt(static_cast<double>(p.cols()));
+  const auto start = linear_centre(p, rho, size);
+  if (!start) {
+    return std::nullopt;
+  }
+  std::vector<Eigen::Vector3d> starts{*start};
+  if (!addend_is_free) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p * p.transpose());
+    const Eigen::Vector3d aside = 0.5 * rho.mean() * eigen.eigenvectors().col(0);
+    starts.insert(starts.end(), {aside, -aside});
+  }
+  std::optional<Fitted> best;
+  for (const Eigen::Vector3d& centre : starts) {
+    const auto fit = refine(p, rho, size, {centre, 0.0}, addend_is_free);
+    // The first stays unless another is clearly better, so that the digits do not depend on rounding.
+    if (fit && (!best || fit->squares < (1.0 - 1e-6) * best->squares)) {
+      best = fit;
+    }
+  }
+  return best ? std::optional(Ball{best->ball.centre + mean, best->ball.radius}) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances) {
-  const auto ball = refine(points, distances, false);
+  const auto ball = best_fit(points, distances, false);
   return ball ? std::optional(ball->centre) : std::nullopt;
 }
 
 std::optional<Ball> ball_touched_at(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& tip_radii) {
-  return refine(points, tip_radii, true);
+  return best_fit(points, tip_radii, true);
 }
 
 }  // namespace artcal

@@ -112,6 +112,9 @@ Eigen::VectorXd seen_beside_radii(const Eigen::VectorXd& growth, const Eigen::Ma
       unseen.rightCols<1>() = Eigen::VectorXd::Unit(growth.size(), i);
     }
   }
+  if (unseen.cols() == 0) {
+    return growth;
+  }
   return growth - unseen * unseen.completeOrthogonalDecomposition().solve(growth);
 }
 

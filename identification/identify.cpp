@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/tip_centres.h"
+#include "core/in_quotes.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "identification/arm_fit.h"
@@ -130,6 +131,14 @@ std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, co
   return values;
 }
 
+double typical_rms(const Evaluation& evaluation) {
+  std::vector<double> all;
+  for (const FeatureDeviation& feature : evaluation.features) {
+    all.push_back(feature.rms);
+  }
+  return median(all);
+}
+
 // Things that are no error but that a careful person would want to know.
 std::vector<std::string> suspicions(const Identification& result, double length) {
   std::vector<std::string> warnings;
@@ -149,6 +158,16 @@ std::vector<std::string> suspicions(const Identification& result, double length)
     warnings.push_back(
         "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
         "real arm");
+  }
+  // One ball on the wrong side of its readings, or in another's place, spoils all.
+  const auto worst = std::max_element(result.after.features.begin(), result.after.features.end(),
+                                      [](const auto& a, const auto& b) { return a.rms < b.rms; });
+  if (worst != result.after.features.end() && worst->rms > 0.3 && worst->rms > 2.0 * typical_rms(result.after)) {
+    warnings.push_back(
+        fmt::format("the readings of feature {} in placement {} are {:.2g} mm rms off even with the identified arm: is "
+                    "that the feature which was read, on the artefact that is described? The identified arm may be no "
+                    "better than its start",
+                    in_quotes(worst->name.feature), in_quotes(worst->name.placement), worst->rms));
   }
   if (result.after.overall.rms > result.before.overall.rms) {
     warnings.push_back("the identified arm fits the readings no better than the nominal one");

@@ -15,9 +15,10 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
 
 /// The same arm, or where it is too far off for the balls to be seen, one that is near enough. From an arm that
 /// misses by a good part of a ball's radius, readings on half a ball fit one on the wrong side of them as
-/// well, and a fit to its surface may end anywhere. So where the readings are not round (3 % of the radius),
-/// the arm is also identified with each ball taken for a point, and of the two starts the one is taken from which a
-/// fit to the balls ends lower. What `selection` holds stays held, and so does what the points alone cannot tell.
+/// well, and one such ball spoils the fit of all. So where the readings are not round (3 % of the radius), the
+/// arm is fitted with a loss that lets go of balls far off, these are settled anew, and so on until all are
+/// round; from the arm itself or, where that does not end so, from the arm identified with each ball taken for
+/// a point. What `selection` holds stays held, and so does what the points alone cannot tell.
 Arm arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
                        const Selection& selection);
 

@@ -29,9 +29,16 @@ TEST_F(CouplingCommand, TellsWhatARecordingCannot) {
 // Ranks of Table 1's arm: 25 parameters; what each kind of reading cannot see of them.
 TEST_F(CouplingCommand, KnowsEveryKindOfReading) {
   take("gao2013");
-  const std::vector<std::tuple<std::string, int, std::string>> kinds{
-      {"base", 23, "scale: told"},     {"frame", 21, "scale: told"},  {"point", 20, "scale: LOST"},
-      {"distance", 21, "scale: told"}, {"sphere", 21, "scale: told"}, {"length", 21, "scale: told"}};
+  const std::vector<std::tuple<std::string, int, std::string>> kinds{{"base", 23, "scale: told"},
+                                                                     {"frame", 21, "scale: told"},
+                                                                     {"point", 20, "scale: LOST"},
+                                                                     {"distance", 21, "scale: told"},
+                                                                     {"sphere", 21, "scale: told"},
+                                                                     {"length", 21, "scale: told"},
+                                                                     {"plate", 21, "scale: told"},
+                                                                     {"plane", 20, "scale: LOST"},
+                                                                     {"sphere-unknown-radius", 20, "scale: LOST"},
+                                                                     {"plane-perpendicular", 18, "scale: LOST"}};
   for (const auto& [kind, rank, scale] : kinds) {
     const std::vector<std::string> command{"coupling", "gao2013/table1.toml", "--kind", kind};
     const Ended told = run(command);

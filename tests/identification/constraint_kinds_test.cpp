@@ -137,6 +137,27 @@ TEST(Planes, TipsOfTwoSizesAgreeOnTheSide) {
   expect_truth(test::identified(test::bind(session.recording(), {granite, bar}), stated_noise()), truth);
 }
 
+// A reading off its plane or ball is listed, and placements of all kinds are left out in turn.
+TEST(Planes, OutliersAreListedAndPlacementsLeftOut) {
+  const Arm nominal = nominal_arm();
+  const Arm truth = true_arm(15, nominal);
+  Session session(nominal, truth, 15);
+  const Artefact granite = planes(2);
+  const Artefact bar = seats(500.0);
+  for (const char* placement : {"a", "b"}) {
+    read_planes(session, granite, placement, 30);
+    read_seats(session, bar, placement, 15);
+  }
+  session.recording().joints.col(7).array() += 0.002;  // on a plane
+  const auto bound = test::bind(session.recording(), {granite, bar});
+  const Identification result = test::identified(bound, {});
+  ASSERT_FALSE(result.outliers.empty());
+  EXPECT_EQ(result.outliers.front().reading, 7);
+  EXPECT_EQ(result.outliers.front().name.artefact, "planes");
+  EXPECT_EQ(result.left_out.size(), 4u);
+  for (const LeftOut& left : result.left_out) EXPECT_EQ(left.refusal, "");
+}
+
 // Three certified faces that meet in a corner have a pose; two of them do not.
 TEST(Planes, OfACornerTheirPoseIsFound) {
   const Arm nominal = nominal_arm();
@@ -204,7 +225,8 @@ class Gauges : public ::testing::TestWithParam<bool> {};
 TEST_P(Gauges, BringBackTheTruth) {
   for (const std::vector<double>& facings :
        {std::vector<double>{-1.0, 1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0, -1.0, 1.0, -1.0}}) {
-    const Arm nominal = nominal_arm(10.0);  // without certified normals the tip must be larger than the arm is off
+    const Arm nominal =
+        nominal_arm(GetParam() ? 3.0 : 20.0);  // without normals the tip must be larger than the arm is off
     const Arm truth = true_arm(5, nominal);
     Session session(nominal, truth, 5, silent);
     const Gauge gauge = gauge_of(
