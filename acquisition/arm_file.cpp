@@ -9,6 +9,7 @@
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
+#include "core/toml_text.h"
 #include "core/unit_names.h"
 #include "core/units.h"
 
@@ -118,50 +119,29 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   return known;
 }
 
-// A TOML basic string; fmt's own escapes are not TOML's.
-std::string toml_text(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
-
-// Shortest digits that read back to the same double; TOML wants a point or an exponent in a float.
-std::string digits(double value) {
-  const std::string text = fmt::format("{}", value);
-  return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
-}
-
 std::string joint_text(const Joint& joint) {
   std::string text = fmt::format("[[joint]]\na = {}\nd = {}\ntheta = {}  # {:.6f} deg\nalpha = {}  # {:.6f} deg\n",
-                                 digits(joint.a), digits(joint.d), digits(joint.theta), joint.theta / units::degree,
-                                 digits(joint.alpha), joint.alpha / units::degree);
+                                 toml_number(joint.a), toml_number(joint.d), toml_number(joint.theta),
+                                 joint.theta / units::degree, toml_number(joint.alpha), joint.alpha / units::degree);
   if (joint.has_beta || joint.beta != 0.0) {
-    text += fmt::format("beta = {}  # {:.6f} deg\n", digits(joint.beta), joint.beta / units::degree);
+    text += fmt::format("beta = {}  # {:.6f} deg\n", toml_number(joint.beta), joint.beta / units::degree);
   }
   if (joint.sign < 0.0) {
     text += "sign = -1\n";
   }
   for (const auto& [key, end] : {std::pair{"min", joint.lowest}, std::pair{"max", joint.highest}}) {
-    text += end ? fmt::format("{} = {}  # {:.6f} deg\n", key, digits(*end), *end / units::degree) : "";
+    text += end ? fmt::format("{} = {}  # {:.6f} deg\n", key, toml_number(*end), *end / units::degree) : "";
   }
   return text + "\n";
 }
 
 std::string probe_text(const Probe& probe) {
   const auto& tip = probe.tip_in_last;
-  const std::string place =
-      probe.on_axis ? fmt::format("l = {}\n", digits(tip.z()))
-                    : fmt::format("lx = {}\nly = {}\nlz = {}\n", digits(tip.x()), digits(tip.y()), digits(tip.z()));
-  return fmt::format("[[probe]]\nname = {}\n{}radius = {}\n\n", toml_text(probe.name), place, digits(probe.radius));
+  const std::string place = probe.on_axis ? fmt::format("l = {}\n", toml_number(tip.z()))
+                                          : fmt::format("lx = {}\nly = {}\nlz = {}\n", toml_number(tip.x()),
+                                                        toml_number(tip.y()), toml_number(tip.z()));
+  return fmt::format("[[probe]]\nname = {}\n{}radius = {}\n\n", toml_text(probe.name), place,
+                     toml_number(probe.radius));
 }
 
 std::string identification_text(const ArmIdentification& known) {
@@ -174,13 +154,13 @@ std::string identification_text(const ArmIdentification& known) {
   }
   text += "]\n";
   if (known.noise) {
-    text += fmt::format("noise = {}  # mm, of a reading's coordinate\n", digits(*known.noise));
+    text += fmt::format("noise = {}  # mm, of a reading's coordinate\n", toml_number(*known.noise));
   }
   text += "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {
     text += "  [";
     for (const double value : row) {
-      text += digits(value) + ", ";
+      text += toml_number(value) + ", ";
     }
     text += "],\n";
   }

@@ -160,4 +160,13 @@ Eigen::Vector3d Sweep::tip_by_joints(JointSines sines, double* derivative) const
   return tip;
 }
 
+Eigen::Vector3d Sweep::axes_in_base(JointSines sines, double* directions, double* points) const {
+  return walk(sines, [&](std::size_t i, const Frame& frame) {
+    if (i < links_.size()) {
+      put(directions, static_cast<int>(i), frame.z);
+      put(points, static_cast<int>(i), frame.z_at);
+    }
+  });
+}
+
 }  // namespace artcal

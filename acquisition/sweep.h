@@ -49,6 +49,10 @@ class Sweep {
   /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad.
   Eigen::Vector3d tip_by_joints(JointSines sines, double* derivative) const;
 
+  /// The tip's centre and the joints' axes in the base frame: unit vectors along them and a point on each
+  /// (the origins that the class comment calls p), both 3 × joint_count(), column-major.
+  Eigen::Vector3d axes_in_base(JointSines sines, double* directions, double* points) const;
+
  private:
   struct Link {
     double a, d, sign;

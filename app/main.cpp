@@ -24,6 +24,7 @@ constexpr std::array commands{
                     artcal::set_up_uncertainty},
     artcal::Command{"verify", "judge an arm by a standard", artcal::set_up_verify},
     artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
+    artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
 };
 
 constexpr int wrong_usage = 2;

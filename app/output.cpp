@@ -103,12 +103,16 @@ Expected<void> check_outputs(const std::vector<std::string>& outputs, const std:
   return {};
 }
 
+std::string json_text(const nlohmann::ordered_json& json) {
+  // What is not UTF-8 is replaced.
+  return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 Expected<void> write_json(const std::string& path, const nlohmann::ordered_json& json) {
   if (path.empty()) {
     return {};
   }
-  // Names come from files: pure ASCII, so that no terminal obeys them, and what is not UTF-8 is replaced.
-  const std::string text = json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  const std::string text = json_text(json);
   if (path != "-") {
     return write_file(path, text);
   }

@@ -18,6 +18,9 @@ Expected<void> write_file(const std::string& path, const std::string& text);
 /// not count.
 Expected<void> check_outputs(const std::vector<std::string>& outputs, const std::vector<InputFile>& inputs);
 
+/// JSON as files hold it: pure ASCII, so that no terminal obeys a name in it.
+std::string json_text(const nlohmann::ordered_json& json);
+
 /// Writes JSON to a file, or to standard output for "-"; nothing for an empty path.
 Expected<void> write_json(const std::string& path, const nlohmann::ordered_json& json);
 

@@ -236,7 +236,7 @@ std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eige
   for (int iteration = 0; iteration < 100; ++iteration) {
     joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
     const Eigen::Vector3d miss = target_in_base - sweep.tip_by_joints(sines, by_joints.data());
-    if (miss.norm() <= 1e-12 * length) {
+    if (miss.norm() <= 1e-13 * length) {
       return q;
     }
     // Damping that fades with the miss: steady far away, quadratic near.

@@ -13,7 +13,7 @@ namespace artcal {
 
 /// Joint angles (rad) that put the tip at a point of the base frame, found from `start` by damped
 /// Gauss-Newton; the redundancy of the arm keeps the posture near the start. Nothing if the point cannot
-/// be reached from there. The tip is within 1e-12 of the reach.
+/// be reached from there. The tip is within 1e-13 of the reach.
 std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
                                            Eigen::VectorXd start);
 

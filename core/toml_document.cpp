@@ -318,11 +318,16 @@ Expected<TomlDocument> TomlDocument::read(const std::filesystem::path& path, std
   return read_text_file(path).and_then([&](const TextFile& file) { return parse(file, schema); });
 }
 
+Expected<void> TomlDocument::so_far() const {
+  const auto& error = root_.shared_->first_error;
+  return error ? Expected<void>(tl::unexpected(*error)) : Expected<void>();
+}
+
 Expected<void> TomlDocument::finish() {
-  const auto& shared = *root_.shared_;
-  if (shared.first_error) {
-    return tl::unexpected(*shared.first_error);
+  if (auto noted = so_far(); !noted) {
+    return noted;
   }
+  const auto& shared = *root_.shared_;
   if (const auto* key = first_unread(shared.document, shared.read)) {
     return bad_input(fmt::format("{} is not a key that is known here; is it misspelt, or in the wrong table?",
                                  in_quotes(key->str())),

@@ -69,6 +69,8 @@ class TomlDocument {
   /// Of the file that was read.
   [[nodiscard]] const std::string& sha256() const { return sha256_; }
 
+  /// The first error noted so far, if any: before what was read leads to other files.
+  [[nodiscard]] Expected<void> so_far() const;
   /// The first error noted, if any; otherwise the first key nobody asked for.
   Expected<void> finish();
 

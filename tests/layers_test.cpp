@@ -30,9 +30,12 @@ const std::map<std::string, std::set<std::string>> table{
     {"acquisition", {"core"}},
     {"fitting", {"core"}},
     {"artefacts", {"core", "acquisition", "fitting"}},
+    {"artefacts/simulation", {"core", "acquisition", "fitting", "artefacts"}},
     {"artefacts/verification", {"core", "acquisition", "fitting", "artefacts"}},
-    {"identification", {"core", "acquisition", "fitting", "artefacts"}},
-    {"app", {"core", "acquisition", "fitting", "artefacts", "artefacts/verification", "identification"}},
+    {"identification", {"core", "acquisition", "fitting", "artefacts", "artefacts/simulation"}},
+    {"app",
+     {"core", "acquisition", "fitting", "artefacts", "artefacts/simulation", "artefacts/verification",
+      "identification"}},
 };
 
 std::string content(const fs::path& path) {
@@ -71,7 +74,7 @@ std::vector<Include> includes(const fs::path& path) {
 
 /// The layer of a path from the root, or nothing.
 std::string layer_of(const std::string& path) {
-  for (const char* inner : {"artefacts/verification/"}) {
+  for (const char* inner : {"artefacts/simulation/", "artefacts/verification/"}) {
     if (path.starts_with(inner)) {
       return std::string(inner, std::string_view(inner).size() - 1);
     }

@@ -32,17 +32,19 @@ TEST_F(Documentation, TheFilesItShowsMakeARecording) {
     for (const auto& [begin, name] :
          {std::pair("schema = \"artcal-arm/1\"", "arm.toml"), std::pair("schema = \"artcal-artefact/1\"", "bar.toml"),
           std::pair("schema = \"artcal-recording/1\"", "recording.toml"), std::pair("placement,feature", "monday.csv"),
-          std::pair("placement,feature", "tuesday.csv")}) {
+          std::pair("placement,feature", "tuesday.csv"), std::pair("schema = \"artcal-plan/1\"", "plan.toml")}) {
       if (block.starts_with(begin)) {
         write(name, block);
         ++files;
       }
     }
   }
-  EXPECT_EQ(files, 5);
+  EXPECT_EQ(files, 6);
   // Four readings are far too few, which is found only after every file has been understood.
   const testing::Ended ended = run({"identify", "recording.toml"});
   EXPECT_EQ(ended.exit_code, 4) << ended.err;
+  // So has the plan, before it is seen that two joints reach no bar of a metre.
+  EXPECT_THAT(run({"simulate", "plan.toml", "-o", "made"}).err, ::testing::HasSubstr("the arm does not reach point"));
 }
 
 }  // namespace

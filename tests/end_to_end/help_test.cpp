@@ -36,7 +36,7 @@ TEST_F(Help, OfTheProgramNamesTheCommands) {
 }
 
 TEST_F(Help, EveryExampleOfEveryCommandRuns) {
-  for (const char* command : {"fit", "segment", "identify", "coupling", "verify", "points"}) {
+  for (const char* command : {"fit", "segment", "identify", "coupling", "verify", "points", "simulate"}) {
     const Ended help = run({command, "--help"});
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_THAT(help.out, HasSubstr("--json"));

@@ -118,6 +118,15 @@ TEST_F(ResultSchema, OfSegmentations) {
   EXPECT_TRUE(seen_.contains("segmentation.planes"));
 }
 
+TEST_F(ResultSchema, OfSimulations) {
+  take("simulate");
+  check({"simulate", "simulate/plan.toml", "-o", "made", "--json", "-"}, "simulation");
+  for (const char* list : {"inputs", "parameters", "joints", "artefacts", "artefacts[].features", "placements"}) {
+    EXPECT_TRUE(seen_.contains(std::string("simulation.") + list)) << list << " was always empty";
+  }
+  compare(Json::parse(text_of("made/truth.json")), "simulation", "truth");
+}
+
 TEST_F(ResultSchema, OfCouplings) {
   take("two-socket-bar");
   check({"coupling", "two-socket-bar/recording.toml", "--json", "-", "--free", "d7"}, "coupling_result");

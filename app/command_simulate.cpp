@@ -1,0 +1,173 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm_file.h"
+#include "acquisition/recording_text.h"
+#include "app/command.h"
+#include "app/output.h"
+#include "app/output_folder.h"
+#include "app/simulation_json.h"
+#include "app/table.h"
+#include "app/version.h"
+#include "artefacts/simulation/plan_file.h"
+#include "artefacts/simulation/simulate.h"
+#include "core/in_quotes.h"
+#include "core/text_file.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  std::string plan;
+  std::string folder;
+  bool force = false;
+  std::optional<std::uint64_t> seed;
+  int threads = 0;
+};
+
+// The names of the files to be written. Artefacts keep theirs: where a file states no name for the artefact,
+// the file's own is it.
+Expected<RecordingFiles> names_of(const PlanFile& file) {
+  RecordingFiles names{"arm.toml", {}, "readings.csv"};
+  std::vector<std::string> taken{"arm.toml", "readings.csv", "recording.toml", "truth-arm.toml", "truth.json"};
+  for (const auto& path : file.artefacts) {
+    const std::string name = path.filename().string();
+    if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
+      return bad_input(
+          fmt::format("the artefact's file is called {}, as another file of the recording will be; give it "
+                      "another name",
+                      in_quotes(name)),
+          path.string());
+    }
+    taken.push_back(name);
+    names.artefacts.push_back(name);
+  }
+  return names;
+}
+
+Expected<FolderFiles> copies_of(const PlanFile& file, const RecordingFiles& names) {
+  FolderFiles files;
+  std::vector<std::pair<std::string, std::filesystem::path>> copies{{names.arm, file.arm}};
+  for (std::size_t i = 0; i < names.artefacts.size(); ++i) {
+    copies.emplace_back(names.artefacts[i], file.artefacts[i]);
+  }
+  for (const auto& [name, path] : copies) {
+    auto text = read_text_file(path);
+    if (!text) {
+      return tl::unexpected(text.error());
+    }
+    files.emplace_back(name, std::move(text->text));
+  }
+  return files;
+}
+
+FolderFiles made_files(const PlanFile& file, const Simulation& simulation, const RecordingFiles& names,
+                       const nlohmann::ordered_json& truth) {
+  std::vector<std::string> comment{
+      fmt::format("Simulated by artcal {}, seed {}; what is true stands in truth-arm.toml and truth.json.",
+                  program_version, file.plan.seed)};
+  const Noise& noise = simulation.recording.noise;
+  if (!noise.is_given()) {
+    comment.emplace_back("The noise is not the same for all joints, or zero: identify estimates it.");
+  }
+  return {{"recording.toml", recording_file_text(simulation.recording, names, comment)},
+          {"readings.csv", readings_file_text(simulation.recording)},
+          {"truth-arm.toml", arm_file_text(simulation.arm.arm, std::nullopt)},
+          {"truth.json", json_text(truth)}};
+}
+
+std::string summary(const PlanFile& file, const Simulation& simulation, const Request& request) {
+  const SimulationPlan& plan = file.plan;
+  std::string text = fmt::format("{}\narm \"{}\": {} simulated readings, {} placements, seed {}\n\n",
+                                 at_most(200, plan.name), at_most(80, plan.nominal.name),
+                                 simulation.recording.readings.size(), simulation.placements.size(), plan.seed);
+  Table table({"placement", "readings", "x mm", "y mm", "z mm", "degC"});
+  constexpr std::size_t most_rows = 20;
+  for (const RealPlacement& placement : simulation.placements) {
+    const Eigen::Vector3d& at = placement.base_from_artefact.translation;
+    table.add({at_most(40, placement.name), fmt::format("{}", placement.readings), fmt::format("{:.1f}", at.x()),
+               fmt::format("{:.1f}", at.y()), fmt::format("{:.1f}", at.z()),
+               fmt::format("{:.2f}", placement.temperature)});
+    if (&placement - simulation.placements.data() + 1 == most_rows && simulation.placements.size() > most_rows) {
+      table.add({fmt::format("… {} more", simulation.placements.size() - most_rows)});
+      break;
+    }
+  }
+  const std::string folder = request.folder.ends_with('/') ? request.folder : request.folder + "/";
+  return text + table.text() +
+         fmt::format("\nThe recording is {}recording.toml; the truth is in truth-arm.toml and truth.json beside it.\n",
+                     folder);
+}
+
+Expected<int> simulate_and_write(const Request& request) {
+  auto file = read_plan_file(request.plan);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  file->plan.seed = request.seed.value_or(file->plan.seed);
+  const auto names = names_of(*file);
+  if (!names) {
+    return tl::unexpected(names.error());
+  }
+  auto files = copies_of(*file, *names);
+  if (!files) {
+    return tl::unexpected(files.error());
+  }
+  if (auto checked = check_outputs({request.common.json}, file->inputs); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  FolderFiles all = *files;
+  for (const char* name : {"recording.toml", "readings.csv", "truth-arm.toml", "truth.json"}) {
+    all.emplace_back(name, "");
+  }
+  if (auto checked = check_folder(request.folder, all, request.force); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  for (const auto& [name, text] : all) {
+    if (auto checked = check_outputs({request.folder + "/" + name}, file->inputs); !checked) {
+      return tl::unexpected(checked.error());
+    }
+  }
+  const auto simulation = simulate(file->plan, request.threads);
+  if (!simulation) {
+    return tl::unexpected(simulation.error());
+  }
+  const auto truth = to_json(*file, *simulation);
+  for (auto& made : made_files(*file, *simulation, *names, truth)) {
+    files->push_back(std::move(made));
+  }
+  if (auto written = write_folder(request.folder, *files, request.force); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (auto written = write_json(request.common.json, truth); !written) {
+    return tl::unexpected(written.error());
+  }
+  if (request.common.talks()) {
+    fmt::print("{}", summary(*file, *simulation, request));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run set_up_simulate(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("plan", request->plan, "plan.toml")->required()->type_name("PLAN");
+  parser.add_option("-o,--output", request->folder, "folder to write: a recording, and the truth beside it")
+      ->required()
+      ->type_name("FOLDER");
+  parser.add_flag("--force", request->force, "replace a folder that an earlier simulation has written");
+  parser.add_option("--seed", request->seed, "instead of the plan's")->check(CLI::Range(0L, 9007199254740992L));
+  parser.add_option("--threads", request->threads, "0: as many as the machine has; the readings are the same with any")
+      ->check(CLI::Range(0, 256));
+  request->common.add_to(parser);
+  parser.footer("Examples:\n  artcal simulate examples/simulate/plan.toml -o simulated");
+  return [request] {
+    const auto done = simulate_and_write(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,63 @@
+#include "artefacts/simulation/pattern.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+Eigen::Vector3d from_pole(double polar, double azimuth) {
+  return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
+}
+
+std::vector<Eigen::Vector3d> iso_directions() {
+  constexpr double step = 22.5 * units::degree;
+  std::vector<Eigen::Vector3d> directions{Eigen::Vector3d::UnitZ()};
+  for (int ring = 1; ring <= 4; ++ring) {
+    const int count = ring % 2 == 1 ? 4 : 8;
+    for (int i = 0; i < count; ++i) {
+      directions.push_back(from_pole(ring * step, ring * step + 2.0 * std::numbers::pi * i / count));
+    }
+  }
+  return directions;
+}
+
+}  // namespace
+
+Eigen::Matrix3d rotation_to(const Eigen::Vector3d& axis) {
+  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+}
+
+std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, RandomStream& random) {
+  std::vector<Eigen::Vector3d> directions;
+  if (probing.pattern == Pattern::Iso25) {
+    directions = iso_directions();
+  } else {
+    for (int i = 0; i < probing.points; ++i) {
+      // Equal steps of the height are equal areas of a sphere.
+      const double height = random.uniform(std::cos(probing.cap), 1.0);
+      directions.push_back(from_pole(std::acos(height), random.uniform(0.0, 2.0 * std::numbers::pi)));
+    }
+  }
+  const Eigen::Matrix3d base_from_pole = rotation_to(probing.pole_in_base);
+  for (Eigen::Vector3d& direction : directions) {
+    direction = (base_from_pole * direction).normalized();
+  }
+  return directions;
+}
+
+std::vector<Eigen::Vector2d> places_on_plane(const PlannedProbing& probing, RandomStream& random) {
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i < probing.points; ++i) {
+    const double x = random.uniform(-0.5, 0.5);
+    const double y = random.uniform(-0.5, 0.5);
+    places.emplace_back(probing.extent.x() * x, probing.extent.y() * y);
+  }
+  return places;
+}
+
+}  // namespace artcal

@@ -1,0 +1,136 @@
+#include "artefacts/simulation/plan_arm.h"
+
+#include <fmt/format.h>
+
+#include "acquisition/parameters.h"
+#include "artefacts/simulation/plan_keys.h"
+#include "core/in_quotes.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+constexpr double most_encoder_error = 0.01;  // rad; what is more is a broken encoder, not an eccentric one
+
+Harmonic read_first_harmonic(TomlTable& table, double angle) {
+  Harmonic harmonic;
+  const bool by_grating = table.has("eccentricity");
+  if (by_grating) {
+    const double eccentricity = length_at(table, "eccentricity");
+    const double grating = length_at(table, "grating");
+    if (grating <= 0.0) {
+      table.fail("grating",
+                 "`eccentricity` needs the diameter of the grating, such as grating = \"60 mm\"; the encoder's error "
+                 "comes from both");
+    } else {
+      harmonic.amplitude = eccentricity_amplitude(eccentricity, grating);
+    }
+  }
+  if (table.has("first_harmonic")) {
+    harmonic.amplitude = angle_at(table, "first_harmonic");
+    if (by_grating) {
+      table.fail("first_harmonic", "state either `eccentricity` with `grating`, or `first_harmonic`, not both");
+    }
+  }
+  harmonic.phase = table.number_or("first_phase", 0.0) * angle;
+  return harmonic;
+}
+
+void read_stops(TomlTable& table, VirtualJoint& joint, double angle) {
+  const auto stops = pair_at(table, "stops");
+  if (!stops) {
+    return;
+  }
+  joint.low = angle * stops->x();
+  joint.high = angle * stops->y();
+  if (!(joint.low < joint.high) || joint.high - joint.low > 7200.0 * units::degree) {
+    table.fail("stops", fmt::format("the end stops are {} and {}, expected the lower before the higher, and at most 20 "
+                                    "turns between them",
+                                    stops->x(), stops->y()));
+  }
+}
+
+VirtualJoint read_virtual_joint(TomlTable table, double angle, double encoder_noise) {
+  VirtualJoint joint;
+  joint.encoder_noise = angle_at(table, "encoder", encoder_noise);
+  joint.eccentricity[0] = read_first_harmonic(table, angle);
+  joint.eccentricity[1] = {angle_at(table, "second_harmonic"), table.number_or("second_phase", 0.0) * angle};
+  for (const Harmonic& harmonic : joint.eccentricity) {
+    if (harmonic.amplitude > most_encoder_error) {
+      table.fail("", fmt::format("an encoder error of {:.0f} arcsec is beyond what can be simulated, expected at most "
+                                 "{:.0f} arcsec",
+                                 harmonic.amplitude / units::arcsecond, most_encoder_error / units::arcsecond));
+    }
+  }
+  const double newton_metre = 1e3;  // N·mm
+  joint.compliance = number_between(table, "compliance_arcsec_per_Nm", 0.0, 0.0, 1e4) * units::arcsecond / newton_metre;
+  joint.mass = number_between(table, "mass_kg", 0.0, 0.0, 1e3);
+  read_stops(table, joint, angle);
+  return joint;
+}
+
+}  // namespace
+
+ArmErrors read_arm_errors(TomlTable table, const Arm& arm) {
+  ArmErrors errors;
+  errors.length = length_at(table, "length");
+  errors.angle = angle_at(table, "angle");
+  errors.eccentricity = angle_at(table, "first_harmonic");
+  errors.second_harmonic = angle_at(table, "second_harmonic");
+  errors.exact = table.texts("exact");
+  const auto parameters = parameters_of(arm);
+  for (const auto& name : errors.exact) {
+    if (find_parameter(parameters, name) < 0) {
+      table.fail("exact", fmt::format("{} is not a parameter of the arm {}", in_quotes(name), in_quotes(arm.name)));
+    }
+  }
+  if (errors.eccentricity > 0.1 * most_encoder_error || errors.second_harmonic > 0.1 * most_encoder_error) {
+    table.fail("", fmt::format("harmonics are to be drawn with more than {:.0f} arcsec, which cannot be simulated",
+                               0.1 * most_encoder_error / units::arcsecond));
+  }
+  return errors;
+}
+
+PlannedNoise read_planned_noise(TomlTable& table) {
+  PlannedNoise noise;
+  noise.probing = length_at(table, "probing");
+  noise.temperature = number_between(table, "temperature_K", 0.0, 0.0, 100.0);
+  if (table.has("instrument")) {
+    noise.instrument = length_at(table, "instrument");
+  }
+  return noise;
+}
+
+void read_virtual_joints(TomlTable& root, VirtualArm& arm, double angle, double encoder_noise) {
+  auto tables = root.tables("joint");
+  if (!tables.empty() && tables.size() != arm.arm.joints.size()) {
+    root.fail("joint", fmt::format("there are {} tables headed [[joint]], but the arm {} has {} joints, expected one "
+                                   "each or none",
+                                   tables.size(), in_quotes(arm.arm.name), arm.arm.joints.size()));
+    return;
+  }
+  VirtualJoint plain;
+  plain.encoder_noise = encoder_noise;
+  arm.joints.assign(arm.arm.joints.size(), plain);
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    arm.joints[i] = read_virtual_joint(std::move(tables[i]), angle, encoder_noise);
+  }
+}
+
+void check_same_kind(TomlTable& root, const Arm& nominal, const Arm& real) {
+  bool same = nominal.convention == real.convention && nominal.joints.size() == real.joints.size() &&
+              nominal.probes.size() == real.probes.size();
+  for (std::size_t i = 0; same && i < nominal.joints.size(); ++i) {
+    same = nominal.joints[i].sign == real.joints[i].sign;
+  }
+  for (std::size_t i = 0; same && i < nominal.probes.size(); ++i) {
+    same = nominal.probes[i].name == real.probes[i].name;
+  }
+  if (!same) {
+    root.fail("true_arm",
+              "the true arm and the nominal one differ in more than their numbers, expected the same "
+              "convention, number and signs of joints, and probes");
+  }
+}
+
+}  // namespace artcal

@@ -1,0 +1,42 @@
+#include "artefacts/simulation/true_arm.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquisition/parameters.h"
+#include "core/random.h"
+
+namespace artcal {
+namespace {
+
+void add_drawn(Harmonic& harmonic, double size, RandomStream& random) {
+  const double sine = harmonic.amplitude * std::cos(harmonic.phase) + size * random.normal();
+  const double cosine = harmonic.amplitude * std::sin(harmonic.phase) + size * random.normal();
+  if (size > 0.0) {
+    harmonic = {std::hypot(sine, cosine), std::atan2(cosine, sine)};
+  }
+}
+
+}  // namespace
+
+VirtualArm drawn_arm(const SimulationPlan& plan) {
+  VirtualArm arm = plan.arm;
+  const ArmErrors& errors = plan.errors;
+  const auto parameters = parameters_of(arm.arm);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    const double deviate = RandomStream(plan.seed, "arm parameter", i).normal();
+    if (std::find(errors.exact.begin(), errors.exact.end(), parameter.name) == errors.exact.end()) {
+      set_value(arm.arm, parameter,
+                value(arm.arm, parameter) + deviate * (parameter.is_angle() ? errors.angle : errors.length));
+    }
+  }
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    RandomStream random(plan.seed, "encoder", i);
+    add_drawn(arm.joints[i].eccentricity[0], errors.eccentricity, random);
+    add_drawn(arm.joints[i].eccentricity[1], errors.second_harmonic, random);
+  }
+  return arm;
+}
+
+}  // namespace artcal

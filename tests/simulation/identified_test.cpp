@@ -1,0 +1,105 @@
+// What identification makes of simulated recordings: the truth, within what it says of itself; and where the
+// arm is no rigid chain, residuals that show it.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "artefacts/constraint.h"
+#include "artefacts/simulation/simulate.h"
+#include "core/statistics.h"
+#include "identification/identify.h"
+#include "tests/support/plans.h"
+
+namespace artcal {
+namespace {
+
+SimulationPlan seven_placements() {
+  SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere), 20);
+  plan.nominal.probes[0].on_axis = true;
+  plan.nominal.probes[0].tip_in_last = {0.0, 0.0, 183.5};
+  plan.arm.arm = plan.nominal;
+  PlannedPlacement placement;
+  plan.placements.clear();
+  for (int i = 0; i < 7; ++i) {
+    placement.name = std::to_string(i);
+    plan.placements.push_back(placement);
+  }
+  plan.probings[0].placements = {0, 1, 2, 3, 4, 5, 6};
+  plan.errors = {0.3, 2e-3, 0.0, 0.0, {"a6", "d6", "d1", "theta1"}};
+  for (VirtualJoint& joint : plan.arm.joints) joint.encoder_noise = 2.0 * units::arcsecond;
+  plan.noise.probing = 0.003;
+  return plan;
+}
+
+struct Both {
+  Simulation simulation;
+  Identification identification;
+};
+
+Both identified(const SimulationPlan& plan) {
+  auto simulation = simulate(plan, 2);
+  if (!simulation) throw std::runtime_error(simulation.error().text());
+  std::vector<Artefact> artefacts;
+  for (const PlannedArtefact& artefact : plan.artefacts) artefacts.push_back(artefact.certified);
+  const auto constraints = build_constraints(simulation->recording, artefacts);
+  if (!constraints) throw std::runtime_error(constraints.error().text());
+  IdentifyOptions options;
+  options.noise = Noise{{}, 2.0 * units::arcsecond, 0.003};
+  options.leave_out = false;
+  auto identification = identify(simulation->recording, *constraints, options);
+  if (!identification) throw std::runtime_error(identification.error().text());
+  return {std::move(*simulation), std::move(*identification)};
+}
+
+TEST(Identified, TheTruthIsWithinTheUncertainty) {
+  double sum = 0.0;
+  int count = 0;
+  SimulationPlan plan = seven_placements();
+  for (plan.seed = 1; plan.seed <= 3; ++plan.seed) {
+    const Both both = identified(plan);
+    EXPECT_LT(both.identification.chi_squared, both.identification.chi_squared_high * 1.05);
+    for (const IdentifiedParameter& parameter : both.identification.parameters) {
+      if (parameter.state == ParameterState::Identified) {
+        const double off = parameter.identified - value(both.simulation.arm.arm, parameter.parameter);
+        EXPECT_LT(std::abs(off), 4.5 * parameter.u) << parameter.parameter.name;
+        sum += std::pow(off / parameter.u, 2);
+        ++count;
+      }
+    }
+  }
+  EXPECT_EQ(count, 3 * 21);
+  // Parameters go together in pairs, so that fewer than 63 are independent: wide limits.
+  EXPECT_GT(sum / count, 0.4);
+  EXPECT_LT(sum / count, 2.0);
+}
+
+TEST(Identified, WithoutNoiseTheTruthComesBack) {
+  SimulationPlan plan = seven_placements();
+  for (VirtualJoint& joint : plan.arm.joints) joint.encoder_noise = 0.0;
+  plan.noise.probing = 0.0;
+  const Both both = identified(plan);
+  EXPECT_LT(both.identification.after.overall.rms, 1e-6);
+  for (const IdentifiedParameter& parameter : both.identification.parameters) {
+    EXPECT_NEAR(parameter.identified, value(both.simulation.arm.arm, parameter.parameter), 1e-5)
+        << parameter.parameter.name;
+  }
+}
+
+TEST(Identified, EccentricityAndGravityLeaveMoreThanTheNoise) {
+  SimulationPlan plan = seven_placements();
+  const double noise = identified(plan).identification.after.overall.rms;
+  plan.errors.eccentricity = 10.0 * units::arcsecond;
+  const Both eccentric = identified(plan);
+  EXPECT_GT(eccentric.identification.after.overall.rms, 1.5 * noise);
+  EXPECT_GT(eccentric.identification.chi_squared, 2.0 * eccentric.identification.chi_squared_high);
+  plan.errors.eccentricity = 0.0;
+  for (VirtualJoint& joint : plan.arm.joints) {
+    joint.mass = 1.0;
+    joint.compliance = 10.0 * units::arcsecond / 1e3;
+  }
+  const Both bent = identified(plan);
+  EXPECT_GT(bent.identification.after.overall.rms, 1.5 * noise);
+}
+
+}  // namespace
+}  // namespace artcal
