@@ -8,6 +8,7 @@
 
 #include "acquisition/arm.h"
 #include "acquisition/reading.h"
+#include "acquisition/recorded_scan.h"
 #include "core/input_file.h"
 
 namespace artcal {
@@ -40,6 +41,7 @@ struct Recording {
   Labels artefacts, placements, features, orientations, repeats;
   std::vector<std::string> artefact_paths;  ///< artefact files named by the recording, resolved
   std::string specification_path;           ///< the specification named by the recording, resolved; or empty
+  std::vector<RecordedScan> scans;          ///< not read yet: artefacts/scan_readings.h makes readings of them
   Noise noise;
   IdentifyRequest identify;
   std::vector<std::string> files;     ///< readings files, as Reading::file counts them

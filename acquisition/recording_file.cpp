@@ -4,6 +4,7 @@
 
 #include "acquisition/arm_file.h"
 #include "acquisition/readings_file.h"
+#include "acquisition/scan_table.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
@@ -103,8 +104,10 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
     recording.artefact_paths.push_back((folder / name).string());
   }
   const auto readings_paths = root.texts("readings");
-  if (readings_paths.empty()) {
-    root.fail("readings", "the recording names no readings, expected readings = [\"readings.csv\"]");
+  const auto scan_tables = root.tables("scan");
+  if (readings_paths.empty() && scan_tables.empty()) {
+    root.fail("readings",
+              "the recording names no readings, expected readings = [\"readings.csv\"], or scans as [[scan]]");
   }
   if (root.has("specification")) {
     recording.specification_path = (folder / root.text("specification")).string();
@@ -117,10 +120,17 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   if (root.has("probe")) {
     recording.arm = arm_of_probes(root, reading_units.length);
   }
+  for (const TomlTable& table : scan_tables) {
+    recording.scans.push_back(read_scan_table(table, folder, {reading_units.length, reading_units.joint}));
+  }
   recording.noise = read_noise(root.table("noise"));
   recording.identify = read_request(root.table("identify"));
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
+  }
+  if (arm_path.empty() && !recording.scans.empty()) {
+    return bad_input("a scan becomes readings by its joint angles, but the recording names no arm",
+                     recording.scans.front().where);
   }
   if (!arm_path.empty()) {
     auto arm = read_arm_file(folder / arm_path);
@@ -135,7 +145,9 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
       return tl::unexpected(read.error());
     }
   }
-  recording.warnings = suspicious_angles(recording, reading_units.joint);
+  if (!recording.readings.empty()) {
+    recording.warnings = suspicious_angles(recording, reading_units.joint);
+  }
   return recording;
 }
 

@@ -8,7 +8,8 @@
 namespace artcal {
 
 /// Reads recording.toml, the arm it names and its readings. Paths in the file are taken from the file's
-/// own folder. Format: docs/files.md, "recording.toml". Artefact files are not read here: their paths
+/// own folder. Format: docs/files.md, "recording.toml". Scans are not read here: what the recording says of them
+/// stands in Recording::scans, and who has the artefacts makes readings of them. Nor are artefact files: their paths
 /// stand in Recording::artefact_paths, and whether a reading's labels name something real is known to
 /// artefacts/constraint.
 Expected<Recording> read_recording(const std::filesystem::path& path);

@@ -10,6 +10,7 @@
 #include "app/command.h"
 #include "app/output.h"
 #include "app/result_json.h"
+#include "artefacts/constraint.h"
 
 namespace artcal {
 namespace {
@@ -64,6 +65,11 @@ Expected<int> write_points(const Request& request) {
   auto recording = read_recording(request.recording);
   if (!recording) {
     return tl::unexpected(recording.error());
+  }
+  if (!recording->scans.empty()) {
+    if (const auto labelled = read_constraints(*recording); !labelled) {
+      return tl::unexpected(labelled.error());
+    }
   }
   std::optional<Arm> arm;
   if (!request.arm.empty()) {

@@ -58,6 +58,12 @@ Expected<Material> read_material(const Request& request) {
   if (!recording) {
     return tl::unexpected(recording.error());
   }
+  if (!recording->scans.empty()) {
+    return bad_input(
+        "a test judges every reading, but of a scan only points near its spheres become readings; expected readings "
+        "without [[scan]]",
+        recording->scans.front().where);
+  }
   auto constraints = read_constraints(*recording);
   if (!constraints) {
     return tl::unexpected(constraints.error());

@@ -10,6 +10,7 @@
 
 #include "artefacts/artefact_file.h"
 #include "artefacts/certificate.h"
+#include "artefacts/scan_readings.h"
 #include "artefacts/unknowns.h"
 #include "core/in_quotes.h"
 
@@ -288,6 +289,9 @@ Expected<Constraints> read_constraints(Recording& recording) {
       recording.inputs.push_back(*file->certificate);
     }
     artefacts.push_back(std::move(file->artefact));
+  }
+  if (auto read = read_scans(recording, artefacts); !read) {
+    return tl::unexpected(read.error());
   }
   return build_constraints(recording, std::move(artefacts));
 }

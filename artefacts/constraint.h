@@ -120,7 +120,8 @@ FeatureName name_of(const FeatureConstraint& constraint, const Constraints& cons
 /// or between planes that are not parallel.
 Expected<Constraints> build_constraints(const Recording& recording, std::vector<Artefact> artefacts);
 
-/// Reads the artefact files that a recording names, notes them as its inputs, and binds them to it.
+/// Reads the artefact files that a recording names, notes them as its inputs, makes readings of the recording's scans
+/// (artefacts/scan_readings.h), and binds them to it.
 Expected<Constraints> read_constraints(Recording& recording);
 
 /// The same without the placements for which `drop[i]` is set, i counting Constraints::features.

@@ -113,7 +113,7 @@ std::optional<tl::expected<FoundSphere, RejectedSphere>> examine(const Points& p
   if (free) {
     found.seen_radius = free->feature.radius;
     found.u_seen_radius = free->covariance ? std::sqrt(std::max(0.0, (*free->covariance)(3, 3))) : 0.0;
-    const double allowed = search.radius_tolerance * radius + 4.0 * found.u_seen_radius;
+    const double allowed = search.radius_tolerance * radius + search.distortion + 4.0 * found.u_seen_radius;
     if (std::abs(found.seen_radius - radius) > allowed) {
       const Trial seen{points, found.seen_radius, search};
       return seen.rejected(free->feature.centre, surface.count, RejectionReason::WrongRadius,
@@ -121,7 +121,8 @@ std::optional<tl::expected<FoundSphere, RejectedSphere>> examine(const Points& p
                                        at(free->feature.centre), radius));
     }
   }
-  if (const double leaves = out_of_round(local, surface, radius); leaves > most_out_of_round * radius) {
+  if (const double leaves = out_of_round(local, surface, radius);
+      leaves > most_out_of_round * radius + search.distortion) {
     return trial.rejected(
         middle, surface.count, RejectionReason::NotASphere,
         fmt::format("the surface about {} leaves a sphere of radius {:.4g} mm by {:.2g} mm from place to "

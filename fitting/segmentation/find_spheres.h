@@ -15,6 +15,9 @@ struct SphereSearch {
   /// Centres of spheres whose radius is known are told by the known radius; a scanner that reads balls too
   /// large or too small is then seen in `seen_radius`.
   bool fixed_radius = true;
+  /// By how much the frame that the points stand in may bend a sphere, mm: points that an arm gives which is not
+  /// identified yet are not quite round. Widens what is allowed of the radius and of the roundness.
+  double distortion = 0.0;
 };
 
 /// A sphere in a scan. Lengths in mm, in the frame of the points.

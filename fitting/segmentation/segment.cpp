@@ -94,7 +94,8 @@ Expected<Segmentation> segment(const Points& points, const ScanContents& wanted,
   if (auto checked = check(wanted); !checked) {
     return tl::unexpected(checked.error());
   }
-  auto spheres = find_spheres(points, {wanted.radii, options.radius_tolerance, options.fixed_radius});
+  auto spheres =
+      find_spheres(points, {wanted.radii, options.radius_tolerance, options.fixed_radius, options.distortion});
   if (!spheres) {
     return tl::unexpected(spheres.error());
   }

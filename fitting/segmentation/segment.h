@@ -24,6 +24,7 @@ struct SegmentOptions {
   std::optional<double> tolerance;
   double radius_tolerance = 0.02;  ///< SphereSearch::radius_tolerance
   bool fixed_radius = true;        ///< SphereSearch::fixed_radius
+  double distortion = 0.0;         ///< SphereSearch::distortion
   std::vector<PlaceHint> hints;    ///< by index into ScanContents::radii
 };
 
