@@ -21,7 +21,7 @@ constexpr double rounding = 5e-15;
 constexpr double step = 1e-5;
 constexpr double by_differences = 2e-10;
 
-constexpr int jet_size = 64;  // nine joints with β, three tips off the axis, nine joint readings
+constexpr int jet_size = 80;  // nine joints with β, three tips off the axis with radii, nine joint readings
 using Jet = ceres::Jet<double, jet_size>;
 
 struct Case {
