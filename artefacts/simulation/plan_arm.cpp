@@ -1,5 +1,7 @@
 #include "artefacts/simulation/plan_arm.h"
 
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "acquisition/parameters.h"
@@ -50,9 +52,20 @@ void read_stops(TomlTable& table, VirtualJoint& joint, double angle) {
   }
 }
 
-VirtualJoint read_virtual_joint(TomlTable table, double angle, double encoder_noise) {
+// What the arm's file says of its travel; a whole turn from the one end where the other is not stated.
+VirtualJoint plain_joint(const Joint& real, double encoder_noise) {
+  constexpr double turn = 2.0 * std::numbers::pi;
   VirtualJoint joint;
-  joint.encoder_noise = angle_at(table, "encoder", encoder_noise);
+  joint.encoder_noise = encoder_noise;
+  if (real.lowest || real.highest) {
+    joint.low = real.lowest ? *real.lowest : *real.highest - turn;
+    joint.high = real.highest ? *real.highest : *real.lowest + turn;
+  }
+  return joint;
+}
+
+VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angle) {
+  joint.encoder_noise = angle_at(table, "encoder", joint.encoder_noise);
   joint.eccentricity[0] = read_first_harmonic(table, angle);
   joint.eccentricity[1] = {angle_at(table, "second_harmonic"), table.number_or("second_phase", 0.0) * angle};
   for (const Harmonic& harmonic : joint.eccentricity) {
@@ -109,11 +122,10 @@ void read_virtual_joints(TomlTable& root, VirtualArm& arm, double angle, double 
                                    tables.size(), in_quotes(arm.arm.name), arm.arm.joints.size()));
     return;
   }
-  VirtualJoint plain;
-  plain.encoder_noise = encoder_noise;
-  arm.joints.assign(arm.arm.joints.size(), plain);
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    arm.joints[i] = read_virtual_joint(std::move(tables[i]), angle, encoder_noise);
+  arm.joints.clear();
+  for (std::size_t i = 0; i < arm.arm.joints.size(); ++i) {
+    const VirtualJoint plain = plain_joint(arm.arm.joints[i], encoder_noise);
+    arm.joints.push_back(tables.empty() ? plain : read_virtual_joint(std::move(tables[i]), plain, angle));
   }
 }
 

@@ -80,6 +80,17 @@ TEST_F(PlanFileTest, SaysEverythingInTheProgramsUnits) {
   EXPECT_EQ(planned_readings(plan), 4 * 9 * 2 + 3 * 2 * 25);
 }
 
+TEST_F(PlanFileTest, TheStopsAreTheArmsUnlessThePlanSaysOtherwise) {
+  (void)folder_.write("travel.toml",
+                      replaced(replaced(testing::ExampleRecording{}.arm, "d = 200", "min = -20\nmax = 30\nd = 200"),
+                               "a = 300", "max = 200\na = 300"));
+  const auto file = read(replaced(plan_text, "seed = 7", "true_arm = \"travel.toml\""));
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_DOUBLE_EQ(file->plan.arm.joints[0].low, -170.0 * units::degree);  // the plan's
+  EXPECT_NEAR(file->plan.arm.joints[1].low, -160.0 * units::degree, 1e-12);
+  EXPECT_NEAR(file->plan.arm.joints[1].high, 200.0 * units::degree, 1e-12);
+}
+
 TEST_F(PlanFileTest, TurnsAboutXThenYThenZ) {
   const auto file = read(replaced(plan_text, "turn = [0, 0, 90]", "turn = [90, 0, 90]"));
   // The artefact's y goes up with the first turn and stays there with the second; its z goes to -y, then to x.
