@@ -12,8 +12,8 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_values = 150;  // of a quantity: the 105 lengths of a test are all shown
-constexpr std::size_t fewest_values = 12;
+constexpr std::size_t most_values = 12;  // of a quantity, unless more of them do not conform
+constexpr std::size_t most_balls = 150;  // of a plate
 
 std::string micrometres(double value) { return fmt::format("{:.1f}", value / units::micrometre); }
 std::string signed_micrometres(double value) { return fmt::format("{:+.1f}", value / units::micrometre); }
@@ -107,7 +107,7 @@ std::string list_text(const char* heading, const std::vector<std::string>& lines
   return text.empty() ? text : fmt::format("{}\n{}\n", heading, text);
 }
 
-// All, or what does not conform and then the largest of the rest.
+// All in their order; or the worst first: whatever does not conform and, up to a dozen, those nearest to their limit.
 std::vector<const TestValue*> to_show(const Verification& verification, Quantity quantity, bool all) {
   std::vector<const TestValue*> values;
   for (const TestValue& value : verification.values) {
@@ -118,11 +118,15 @@ std::vector<const TestValue*> to_show(const Verification& verification, Quantity
   if (all || values.size() <= most_values) {
     return values;
   }
-  const auto rank = [](const TestValue* value) {
-    return std::pair(value->verdict != Verdict::DoesNotConform, -std::abs(value->value));
-  };
-  std::stable_sort(values.begin(), values.end(), [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
-  values.resize(fewest_values);
+  std::stable_sort(values.begin(), values.end(), [](const TestValue* a, const TestValue* b) {
+    const auto rank = [](const TestValue* v) {
+      return std::pair(v->verdict != Verdict::DoesNotConform, -severity(*v));
+    };
+    return rank(a) < rank(b);
+  });
+  const auto not_conforming = static_cast<std::size_t>(std::count_if(
+      values.begin(), values.end(), [](const TestValue* v) { return v->verdict == Verdict::DoesNotConform; }));
+  values.resize(std::max(most_values, not_conforming));
   return values;
 }
 
@@ -158,7 +162,7 @@ std::string plate_text(const PlatePlacement& plate, bool all) {
       plate.balls.size(), plate.rms / units::micrometre, 1e6 * plate.scale, 1e6 * plate.u_scale, plate.en_worst);
   Table table({"ball, residual in the plate's axes, um", "x", "y", "z", "standardised", ""});
   for (const BallResidual& ball : plate.balls) {
-    if (all || plate.balls.size() <= most_values || ball.stands_out) {
+    if (all || plate.balls.size() <= most_balls || ball.stands_out) {
       table.add({shown(ball.feature), signed_micrometres(ball.residual_in_plate.x()),
                  signed_micrometres(ball.residual_in_plate.y()), signed_micrometres(ball.residual_in_plate.z()),
                  fmt::format("{:.1f}", ball.standardised), ball.stands_out ? "stands out" : ""});

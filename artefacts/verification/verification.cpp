@@ -29,12 +29,12 @@ Conclusion conclude(const Verification& verification) {
   return all_conform ? Conclusion::ConformityShown : Conclusion::NotShown;
 }
 
+double severity(const TestValue& value) { return std::abs(value.value) / value.limit.value_or(1.0); }
+
 const TestValue* worst_of(const Verification& verification, Quantity quantity) {
   const TestValue* worst = nullptr;
   for (const TestValue& value : verification.values) {
-    // Of limits that grow with the length, the value that uses up most of its own is the worst.
-    const auto size = [](const TestValue& v) { return std::abs(v.value) / v.limit.value_or(1.0); };
-    if (value.quantity == quantity && !value.set_aside && (worst == nullptr || size(value) > size(*worst))) {
+    if (value.quantity == quantity && !value.set_aside && (worst == nullptr || severity(value) > severity(*worst))) {
       worst = &value;
     }
   }

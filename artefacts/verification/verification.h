@@ -51,7 +51,11 @@ void judge(TestValue& value, const Specification& specification);
 /// From the values and what is missing. Nothing missing and no value at all shows nothing.
 Conclusion conclude(const Verification& verification);
 
-/// The value of largest size of a quantity, or none. Values set aside do not count.
+/// How much of its limit a value uses up; its size, mm, where none is stated. Of limits that grow with the length, the
+/// value that uses up most of its own is the worst.
+double severity(const TestValue& value);
+
+/// The most severe value of a quantity, or none. Values set aside do not count.
 const TestValue* worst_of(const Verification& verification, Quantity quantity);
 
 const char* text_of(Conclusion conclusion);

@@ -1,4 +1,7 @@
 // artcal verify and artcal points as a laboratory uses them.
+#include <sstream>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +61,38 @@ TEST_F(Verify, ABumpedArmIsFound) {
   EXPECT_EQ(ended.exit_code, 1);
   EXPECT_THAT(ended.out, HasSubstr("NON-CONFORMITY SHOWN"));
   EXPECT_THAT(ended.out, HasSubstr("does not conform"));
+}
+
+TEST_F(Verify, ThePrintedLengthsAreTheWorstDozenAndWhateverDoesNotConform) {
+  take("iso10360-12");
+  const std::vector<std::string> verify{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), verify.begin(), verify.end());
+    return run(more);
+  };
+  // Lines of the table of lengths, by the word before a verdict's place.
+  const auto lines = [](const std::string& text, const std::string& word) {
+    std::istringstream stream(text.substr(text.rfind("certified, mm")));
+    int found = 0;
+    for (std::string line; std::getline(stream, line);) found += line.find(word) != std::string::npos ? 1 : 0;
+    return found;
+  };
+  const Ended good = with({});
+  EXPECT_EQ(lines(good.out, "octant"), 12);
+  EXPECT_THAT(good.out, HasSubstr("and 93 more: --all shows them, --json has them"));
+  EXPECT_EQ(lines(with({"--all"}).out, "octant"), 105);
+  const Json values =
+      json_of({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json", "-"}, 0)["values"];
+  double worst = 0.0;
+  for (const Json& value : values) {
+    worst = value["quantity"] == "E_Uni" ? std::max(worst, std::abs(value["value_mm"].get<double>())) : worst;
+  }
+  EXPECT_THAT(good.out.substr(good.out.rfind("certified, mm")), HasSubstr(fmt::format("{:.1f}", 1000.0 * worst)));
+  take("ball-bar");
+  const Ended nominal = with({"--arm", "ball-bar/arm.toml"});
+  const int all_bad = lines(with({"--arm", "ball-bar/arm.toml", "--all"}).out, "does not conform");
+  EXPECT_GT(all_bad, 12);
+  EXPECT_EQ(lines(nominal.out, "does not conform"), all_bad);
 }
 
 TEST_F(Verify, ThePlantedBallOfTheSpherePlateIsNamed) {
