@@ -7,6 +7,7 @@
 #include "acquisition/recording_file.h"
 #include "app/command.h"
 #include "app/dcc_identification.h"
+#include "app/dcc_request.h"
 #include "app/output.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
@@ -21,7 +22,7 @@ struct Request {
   CommonOptions common;
   std::string recording;
   std::string arm_out;
-  std::string dcc_out, dcc_data;
+  DccRequest dcc;
   std::vector<std::string> hold, free;
   std::string loss;
   std::string noise, encoder_noise, probing_noise;
@@ -89,30 +90,6 @@ std::string identified_arm_text(const Recording& recording, const Identification
   return arm_file_text(result.arm, known);
 }
 
-// What only the laboratory knows, where a digital certificate is asked for.
-Expected<std::optional<DccData>> read_certificate_data(const Request& request, Recording& recording) {
-  if (request.dcc_out.empty() != request.dcc_data.empty()) {
-    return wrong_usage(
-        "a digital certificate needs --dcc FILE, where to write it, and --dcc-data FILE, what the laboratory has to "
-        "say "
-        "in it (docs/files.md)");
-  }
-  if (request.dcc_data.empty()) {
-    return std::nullopt;
-  }
-  auto file = read_dcc_data(request.dcc_data);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  if (!recording.date.empty() && (recording.date < file->data.begin || recording.date > file->data.end)) {
-    return bad_input(fmt::format("the certificate is for measurements from {} to {}, but the recording is of {}",
-                                 file->data.begin, file->data.end, recording.date),
-                     request.dcc_data);
-  }
-  recording.inputs.push_back(file->input);
-  return std::optional(std::move(file->data));
-}
-
 Expected<int> identify_and_tell(const Request& request) {
   const auto start = Clock::now();
   auto recording = read_recording(request.recording);
@@ -127,11 +104,11 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!options) {
     return tl::unexpected(options.error());
   }
-  const auto certificate = read_certificate_data(request, *recording);
+  const auto certificate = read_certificate_data(request.dcc, *recording);
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc_out}, recording->inputs);
+  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc.out}, recording->inputs);
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -150,7 +127,7 @@ Expected<int> identify_and_tell(const Request& request) {
   }
   if (*certificate) {
     const DccDocument document = dcc_of(*recording, *constraints, *result, **certificate);
-    if (auto written = write_file(request.dcc_out, dcc_xml(document)); !written) {
+    if (auto written = write_file(request.dcc.out, dcc_xml(document)); !written) {
       return tl::unexpected(written.error());
     }
   }
@@ -172,10 +149,7 @@ Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
-  parser.add_option("--dcc", request->dcc_out, "write the result as a digital certificate (DCC 3.3.0, unsigned)")
-      ->type_name("FILE");
-  parser.add_option("--dcc-data", request->dcc_data, "dcc-data.toml: laboratory, customer and item for --dcc")
-      ->type_name("FILE");
+  request->dcc.add_to(parser);
   parser.add_option("--hold", request->hold, "parameters to keep at their nominal value, such as l,a1")
       ->delimiter(',')
       ->type_name("NAMES");

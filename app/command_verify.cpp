@@ -7,6 +7,8 @@
 #include "acquisition/recording_file.h"
 #include "acquisition/tip_centres.h"
 #include "app/command.h"
+#include "app/dcc_request.h"
+#include "app/dcc_verification.h"
 #include "app/output.h"
 #include "app/verification_json.h"
 #include "app/verification_text.h"
@@ -21,6 +23,7 @@ constexpr int conformity_not_shown = 1;
 struct Request {
   CommonOptions common;
   std::string recording, standard, arm, specification, against;
+  DccRequest dcc;
   bool all = false;
 };
 
@@ -127,7 +130,11 @@ Expected<int> verify_and_tell(const Request& request) {
   if (!result) {
     return tl::unexpected(result.error());
   }
-  if (auto checked = check_outputs({request.common.json}, material->recording.inputs); !checked) {
+  const auto certificate = read_certificate_data(request.dcc, material->recording);
+  if (!certificate) {
+    return tl::unexpected(certificate.error());
+  }
+  if (auto checked = check_outputs({request.common.json, request.dcc.out}, material->recording.inputs); !checked) {
     return tl::unexpected(checked.error());
   }
   const Session session{material->recording, material->constraints, material->arm(), material->tips,
@@ -135,6 +142,11 @@ Expected<int> verify_and_tell(const Request& request) {
   auto& warnings = result->verification.warnings;
   warnings.insert(warnings.begin(), material->constraints.warnings.begin(), material->constraints.warnings.end());
   warnings.insert(warnings.begin(), material->recording.warnings.begin(), material->recording.warnings.end());
+  if (*certificate) {
+    if (auto written = write_file(request.dcc.out, dcc_xml(dcc_of(session, *result, **certificate))); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
   if (auto written = write_json(request.common.json, to_json(session, *result)); !written) {
     return tl::unexpected(written.error());
   }
@@ -160,6 +172,7 @@ Run set_up_verify(CLI::App& parser) {
       .add_option("--against", request->against,
                   "interim check: a JSON result of an earlier verification to hold a few values against")
       ->type_name("FILE");
+  request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");
   request->common.add_to(parser);
   parser.footer(

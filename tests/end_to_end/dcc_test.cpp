@@ -1,4 +1,5 @@
 // Certificates from end to end: what an artefact's says reaches the result, and the result becomes one.
+#include <algorithm>
 #include <cstdlib>
 
 #include <gmock/gmock.h>
@@ -42,6 +43,25 @@ class Certificates : public testing::ProgramTest {
     write("ball-bar/bar.toml", "certificate = { " + certificate + " }\n" + text_of("ball-bar/bar.toml"));
     write("ball-bar/recording.toml", "date = " + day + "\n" + text_of("ball-bar/recording.toml"));
   }
+  // Under the schemas of DCC 3.3.0 and D-SI 2.2.1.
+  [[nodiscard]] bool is_valid(const std::string& name) const {
+    const std::string schemas = std::string(ARTCAL_SOURCE_DIR) + "/tests/reference/dcc/schema-3.3.0";
+    const std::string command = "cd '" + schemas +
+                                "' && XML_CATALOG_FILES=catalog.xml xmllint --nonet --noout --schema dcc.xsd '" +
+                                file(name).string() + "' 2>&1";
+    return std::system(command.c_str()) == 0;
+  }
+  [[nodiscard]] testing::Ended verify(const std::string& standard, const std::vector<std::string>& more) const {
+    const std::string example = standard == "b89.4.22" ? "iso10360-12" : standard;
+    std::vector<std::string> all{"verify",     example + "/recording.toml",
+                                 "--standard", standard,
+                                 "-q",         "--json",
+                                 "v.json",     "--dcc",
+                                 "v.xml",      "--dcc-data",
+                                 "data.toml"};
+    all.insert(all.end(), more.begin(), more.end());
+    return run(all);
+  }
   [[nodiscard]] testing::Ended identify(const std::vector<std::string>& more) const {
     std::vector<std::string> all{"identify", "ball-bar/recording.toml", "--no-leave-out"};
     all.insert(all.end(), more.begin(), more.end());
@@ -67,11 +87,7 @@ TEST_F(Certificates, ALapsedOneIsWarnedOfInTextJsonAndCertificate) {
 TEST_F(Certificates, AnIdentifiedArmBecomesOneThatIsValidAndSaysTheSame) {
   const testing::Ended ended = identify({"-q", "--json", "r.json", "--dcc", "out.xml", "--dcc-data", "data.toml"});
   ASSERT_EQ(ended.exit_code, 0) << ended.err;
-  const std::string schemas = std::string(ARTCAL_SOURCE_DIR) + "/tests/reference/dcc/schema-3.3.0";
-  const std::string command = "cd '" + schemas +
-                              "' && XML_CATALOG_FILES=catalog.xml xmllint --nonet --noout --schema dcc.xsd '" +
-                              file("out.xml").string() + "' 2>&1";
-  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(is_valid("out.xml"));
   const auto certificate = read_dcc_file(file("out.xml"));
   ASSERT_TRUE(certificate) << certificate.error().text();
   EXPECT_EQ(certificate->certificate.number, "K-2026-017");
@@ -90,6 +106,53 @@ TEST_F(Certificates, AnIdentifiedArmBecomesOneThatIsValidAndSaysTheSame) {
     }
   }
   EXPECT_EQ(identified, 21);
+}
+
+TEST_F(Certificates, AVerificationBecomesOneThatIsValidAndSaysTheSame) {
+  take("iso10360-12");
+  ASSERT_EQ(verify("iso10360-12", {"--arm", "iso10360-12/bumped-arm.toml"}).exit_code, 1);
+  EXPECT_TRUE(is_valid("v.xml"));
+  const auto certificate = read_dcc_file(file("v.xml"));
+  ASSERT_TRUE(certificate) << certificate.error().text();
+  const Json result = Json::parse(text_of("v.json"));
+  ASSERT_EQ(certificate->quantities.size(), result["values"].size());
+  for (const Json& value : result["values"]) {
+    const std::string second = value["second"].is_null() ? "" : " - " + value["second"].get<std::string>();
+    const std::string repeat = value["repeat"] == "" ? "" : ", repeat " + value["repeat"].get<std::string>();
+    const auto quantity =
+        find_quantity(*certificate, value["quantity"].get<std::string>() + " " + value["first"].get<std::string>() +
+                                        second + ", placement " + value["placement"].get<std::string>() + repeat);
+    ASSERT_TRUE(quantity) << quantity.error().text();
+    EXPECT_EQ(quantity->values.at(0), value["value_mm"].get<double>());
+    EXPECT_EQ(quantity->uncertainties.at(0).U, 2.0 * value["u_mm"].get<double>());
+    EXPECT_EQ(quantity->uncertainties.at(0).k, 2.0);
+  }
+  const std::string text = text_of("v.xml");
+  const auto count = [&](const std::string& what) {
+    int found = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  const auto verdicts = [&](const std::string& verdict) {
+    return std::count_if(result["values"].begin(), result["values"].end(),
+                         [&](const Json& value) { return value["verdict"] == verdict; });
+  };
+  EXPECT_GT(verdicts("does_not_conform"), 0);
+  EXPECT_EQ(count("<dcc:conformity>pass<"), verdicts("conforms"));
+  EXPECT_EQ(count("<dcc:conformity>fail<"), verdicts("does_not_conform"));
+  EXPECT_EQ(count("<dcc:conformity>noPass<"), verdicts("nothing_proven"));
+  EXPECT_THAT(text, AllOf(HasSubstr("non-conformity shown by iso10360-12"), HasSubstr("guard band 1.65 u")));
+}
+
+TEST_F(Certificates, PlatesAndIncompleteTestsBecomeValidOnes) {
+  take("sphere-plate");
+  take("iso10360-12");
+  EXPECT_EQ(verify("sphere-plate", {}).exit_code, 1);
+  EXPECT_TRUE(is_valid("v.xml"));
+  EXPECT_THAT(text_of("v.xml"), AllOf(HasSubstr("C4, residual x"), HasSubstr("Warning: ")));
+  EXPECT_EQ(verify("b89.4.22", {}).exit_code, 1);
+  EXPECT_TRUE(is_valid("v.xml"));
+  EXPECT_THAT(text_of("v.xml"), HasSubstr("In the way of showing conformity: "));
 }
 
 TEST_F(Certificates, AreRefusedWithoutWhatOnlyTheLaboratoryKnows) {
