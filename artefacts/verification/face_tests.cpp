@@ -1,47 +1,43 @@
 #include "artefacts/verification/face_tests.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <set>
 
 #include <fmt/format.h>
-#include <Eigen/SVD>
 
-#include "artefacts/verification/measured.h"
+#include "artefacts/verification/face_axis.h"
+#include "artefacts/verification/length_value.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-constexpr double thinnest = 0.02;  // spread across over spread along: less is one line
-
-struct Face {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  std::vector<int> readings;
-};
-using Faces = std::map<int, Face>;  // by feature
-
-// The direction across all faces; nothing where their readings lie on one line each.
-std::optional<Eigen::Vector3d> common_normal(const Session& session, const Faces& faces) {
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const auto& [feature, face] : faces) {
-    for (const int reading : face.readings) {
-      const Eigen::Vector3d off = session.tips.in_base.col(reading) - face.mean;
-      scatter += off * off.transpose();
-    }
+Eigen::Vector3d mean_of(const Session& session, const std::vector<int>& readings) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int reading : readings) {
+    sum += session.tips.in_base.col(reading);
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(scatter, Eigen::ComputeFullU);
-  if (!(std::sqrt(svd.singularValues()(1)) > thinnest * std::sqrt(svd.singularValues()(0)))) {
-    return std::nullopt;
-  }
-  return svd.matrixU().col(2);
+  return sum / static_cast<double>(readings.size());
+}
+
+double tip_radius(const Session& session, int reading) {
+  const Reading& r = session.recording.readings[static_cast<std::size_t>(reading)];
+  return session.recording.arm.probes[static_cast<std::size_t>(r.probe)].radius;
+}
+
+bool one_tip(const Session& session, const std::vector<int>& readings) {
+  return std::all_of(readings.begin(), readings.end(), [&](int reading) {
+    return tip_radius(session, reading) == tip_radius(session, readings.front());
+  });
 }
 
 // σ₂ − σ₁, or nothing where nobody says which way the faces look.
 std::optional<int> looks(const Artefact& artefact, const CertifiedDistance& length) {
-  const CertifiedFeature& a = artefact.features[length.first];
-  const CertifiedFeature& b = artefact.features[length.second];
+  const CertifiedFeature& a = artefact.features[static_cast<std::size_t>(length.first)];
+  const CertifiedFeature& b = artefact.features[static_cast<std::size_t>(length.second)];
   if (a.normal && b.normal && a.at && b.at) {
     const Eigen::Vector3d way = *b.at - *a.at;
     return (b.normal->dot(way) > 0.0 ? 1 : -1) - (a.normal->dot(way) > 0.0 ? 1 : -1);
@@ -49,91 +45,119 @@ std::optional<int> looks(const Artefact& artefact, const CertifiedDistance& leng
   return artefact.type == ArtefactType::GaugeBlock ? std::optional(2) : std::nullopt;
 }
 
-TestValue face_value(const Session& session, const Artefact& artefact, const CertifiedDistance& length,
-                     const Face& first, const Face& second, const Eigen::Vector3d& normal, int sides) {
-  std::vector<int> readings = first.readings;
-  readings.insert(readings.end(), second.readings.begin(), second.readings.end());
-  const double tip = session.recording.arm.probes[session.recording.readings[readings.front()].probe].radius;
-  TestValue value;
-  value.quantity = sides == 0 ? Quantity::LengthUni : Quantity::LengthBi;
-  value.artefact = artefact.name;
-  value.first = artefact.features[length.first].name;
-  value.second = artefact.features[length.second].name;
-  value.temperature = mean_temperature(session, readings);
-  value.certified = length.value;
-  value.measured = (std::abs(normal.dot(second.mean - first.mean)) - tip * sides) /
-                   expansion_factor_or_one(artefact, value.temperature);
-  value.value = value.measured - value.certified;
-  value.budget.calibration = length.u;
-  value.budget.alignment = session.specification.u_alignment;
-  value.budget.fixture = session.specification.u_fixture;
-  value.budget = with_thermal(value.budget, value.certified, thermal_state(session, artefact, value.temperature));
-  value.place = place_of(0.5 * (first.mean + second.mean), session.recording, session.arm, readings);
-  return value;
-}
-
-bool one_tip(const Session& session, const Faces& faces) {
-  const auto radius = [&](int reading) {
-    return session.recording.arm.probes[session.recording.readings[reading].probe].radius;
-  };
-  const double first = radius(faces.begin()->second.readings.front());
-  for (const auto& [feature, face] : faces) {
-    for (const int reading : face.readings) {
-      if (radius(reading) != first) {
-        return false;
+std::vector<CertifiedDistance> face_lengths(const Artefact& artefact) {
+  if (!artefact.distances.empty()) {
+    return artefact.distances;
+  }
+  std::vector<CertifiedDistance> lengths;
+  for (int i = 0; i < static_cast<int>(artefact.features.size()); ++i) {
+    for (int j = i + 1; j < static_cast<int>(artefact.features.size()); ++j) {
+      const CertifiedFeature& a = artefact.features[static_cast<std::size_t>(i)];
+      const CertifiedFeature& b = artefact.features[static_cast<std::size_t>(j)];
+      if (is_measuring_face(artefact, i) && is_measuring_face(artefact, j) && a.at && b.at) {
+        lengths.push_back({i, j, std::abs(a.normal->dot(*b.at - *a.at)), std::hypot(a.u_at, b.u_at)});
       }
     }
   }
-  return true;
+  return lengths;
 }
+
+TestValue face_value(const Session& session, const Artefact& artefact, const CertifiedDistance& length,
+                     const std::vector<int>& first, const std::vector<int>& second, const FaceAxis& axis, int sides) {
+  const Eigen::Vector3d from = mean_of(session, first);
+  const Eigen::Vector3d way = mean_of(session, second) - from;
+  const double along = std::abs(axis.in_base.dot(way));
+  MeasuredLength measured{first, along - tip_radius(session, first.front()) * sides, from + 0.5 * way};
+  measured.readings.insert(measured.readings.end(), second.begin(), second.end());
+  TestValue value = length_value(session, artefact, length, measured);
+  value.quantity = sides == 0 ? Quantity::LengthUni : Quantity::LengthBi;
+  const double across = (way - axis.in_base.dot(way) * axis.in_base).norm();
+  const double by_axis = std::hypot(across * axis.u, 0.5 * along * axis.u * axis.u);
+  value.budget.alignment = std::hypot(value.budget.alignment, by_axis);
+  return value;
+}
+
+/// The planes of one artefact in one placement.
+class PlacedFaces {
+ public:
+  PlacedFaces(const Session& session, int artefact, int placement, const PlaneReadings& planes,
+              Verification& verification)
+      : session_(session),
+        artefact_(session.constraints.artefacts[static_cast<std::size_t>(artefact)]),
+        place_(session.recording.placements.name(placement)),
+        planes_(planes),
+        verification_(verification) {}
+
+  void add_repeat(int repeat) {
+    const auto axis = face_axis(session_, artefact_, planes_, repeat);
+    for (const CertifiedDistance& length : face_lengths(artefact_)) {
+      const auto* first = readings_of(length.first, repeat);
+      const auto* second = readings_of(length.second, repeat);
+      if (first == nullptr || second == nullptr) {
+        continue;
+      }
+      const auto sides = looks(artefact_, length);
+      if (!axis || !sides) {
+        tell(!axis ? axis.error().message
+                   : "the certificate does not say which way the faces look (`normal` and `at`), so that the tip "
+                     "cannot be taken off");
+        return;
+      }
+      std::vector<int> both = *first;
+      both.insert(both.end(), second->begin(), second->end());
+      if (!one_tip(session_, both)) {
+        tell("the faces were touched with tips of several radii");
+        return;
+      }
+      TestValue value = face_value(session_, artefact_, length, *first, *second, *axis, *sides);
+      value.placement = place_;
+      value.repeat = session_.recording.repeats.name(repeat);
+      judge(value, session_.specification);
+      verification_.values.push_back(std::move(value));
+    }
+  }
+
+ private:
+  [[nodiscard]] const std::vector<int>* readings_of(int feature, int repeat) const {
+    const auto plane = planes_.find(feature);
+    if (plane == planes_.end()) {
+      return nullptr;
+    }
+    const auto found = plane->second.find(repeat);
+    return found == plane->second.end() ? nullptr : &found->second;
+  }
+  void tell(const std::string& why) {
+    verification_.missing.push_back(
+        fmt::format("artefact {}, placement {}: {}", in_quotes(artefact_.name), in_quotes(place_), why));
+  }
+
+  const Session& session_;
+  const Artefact& artefact_;
+  const std::string& place_;
+  const PlaneReadings& planes_;
+  Verification& verification_;
+};
 
 }  // namespace
 
 void add_face_tests(const Session& session, Verification& verification) {
-  using Key = std::tuple<int, int, int>;
-  std::map<Key, Faces> positions;
+  std::map<std::pair<int, int>, PlaneReadings> placed;
   for (const Touched& touched : touched_features(session, Orientations::Together)) {
-    if (session.constraints.artefacts[touched.artefact].features[touched.feature].kind != FeatureKind::Plane) {
-      continue;
+    const Artefact& artefact = session.constraints.artefacts[static_cast<std::size_t>(touched.artefact)];
+    if (artefact.features[static_cast<std::size_t>(touched.feature)].kind == FeatureKind::Plane) {
+      placed[{touched.artefact, touched.placement}][touched.feature][touched.repeat] = touched.readings;
     }
-    Face face{Eigen::Vector3d::Zero(), touched.readings};
-    for (const int reading : touched.readings) {
-      face.mean += session.tips.in_base.col(reading) / static_cast<double>(touched.readings.size());
-    }
-    positions[{touched.artefact, touched.placement, touched.repeat}].emplace(touched.feature, face);
   }
-  for (const auto& [key, faces] : positions) {
-    const auto& [artefact_index, placement, repeat] = key;
-    const Artefact& artefact = session.constraints.artefacts[artefact_index];
-    const std::string& place = session.recording.placements.name(placement);
-    const auto tell = [&](const char* why) {
-      verification.missing.push_back(
-          fmt::format("artefact {}, placement {}: {}", in_quotes(artefact.name), in_quotes(place), why));
-    };
-    const auto normal = common_normal(session, faces);
-    if (!normal || !one_tip(session, faces)) {
-      tell(normal ? "the faces were touched with tips of several radii"
-                  : "the readings of each face lie on one line, so that its direction is not told");
-      continue;
+  for (const auto& [key, planes] : placed) {
+    std::set<int> repeats;
+    for (const auto& [feature, by_repeat] : planes) {
+      for (const auto& [repeat, readings] : by_repeat) {
+        repeats.insert(repeat);
+      }
     }
-    for (const CertifiedDistance& length : artefact.distances) {
-      const auto first = faces.find(length.first);
-      const auto second = faces.find(length.second);
-      if (first == faces.end() || second == faces.end()) {
-        continue;
-      }
-      const auto sides = looks(artefact, length);
-      if (!sides) {
-        tell(
-            "the certificate does not say which way the faces look (`normal` and `at`), so that the tip cannot be "
-            "taken off");
-        break;
-      }
-      TestValue value = face_value(session, artefact, length, first->second, second->second, *normal, *sides);
-      value.placement = place;
-      value.repeat = session.recording.repeats.name(repeat);
-      judge(value, session.specification);
-      verification.values.push_back(std::move(value));
+    PlacedFaces faces(session, key.first, key.second, planes, verification);
+    for (const int repeat : repeats) {
+      faces.add_repeat(repeat);
     }
   }
 }

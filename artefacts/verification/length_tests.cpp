@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "artefacts/verification/length_value.h"
 #include "artefacts/verification/measured.h"
 
 namespace artcal {
@@ -20,26 +21,13 @@ bool is_point_or_ball(const CertifiedFeature& feature) {
   return feature.kind == FeatureKind::Sphere || feature.kind == FeatureKind::Point;
 }
 
-TestValue length_value(const Session& session, const Artefact& artefact, const CertifiedDistance& length,
-                       const End& first, const End& second) {
-  std::vector<int> readings = first.readings;
-  readings.insert(readings.end(), second.readings.begin(), second.readings.end());
-  TestValue value;
-  value.artefact = artefact.name;
-  value.first = artefact.features[length.first].name;
-  value.second = artefact.features[length.second].name;
-  value.temperature = mean_temperature(session, readings);
-  value.certified = length.value;
-  value.measured = (first.point.centre_in_base - second.point.centre_in_base).norm() /
-                   expansion_factor_or_one(artefact, value.temperature);
-  value.value = value.measured - value.certified;
-  value.budget.calibration = length.u;
-  value.budget.alignment = session.specification.u_alignment;
-  value.budget.fixture = session.specification.u_fixture;
-  value.budget = with_thermal(value.budget, value.certified, thermal_state(session, artefact, value.temperature));
-  value.place = place_of(0.5 * (first.point.centre_in_base + second.point.centre_in_base), session.recording,
-                         session.arm, readings);
-  return value;
+TestValue ball_length(const Session& session, const Artefact& artefact, const CertifiedDistance& certified,
+                      const End& first, const End& second) {
+  const Eigen::Vector3d& from = first.point.centre_in_base;
+  const Eigen::Vector3d& to = second.point.centre_in_base;
+  MeasuredLength measured{first.readings, (from - to).norm(), 0.5 * (from + to)};
+  measured.readings.insert(measured.readings.end(), second.readings.begin(), second.readings.end());
+  return length_value(session, artefact, certified, measured);
 }
 
 }  // namespace
@@ -96,7 +84,7 @@ void add_length_tests(const Session& session, Quantity quantity, Verification& v
       if (first == ends.end() || second == ends.end()) {
         continue;
       }
-      TestValue value = length_value(session, artefact, length, first->second, second->second);
+      TestValue value = ball_length(session, artefact, length, first->second, second->second);
       value.quantity = quantity;
       value.placement = session.recording.placements.name(placement);
       value.repeat = session.recording.repeats.name(repeat);
