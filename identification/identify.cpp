@@ -7,19 +7,24 @@
 #include <fmt/format.h>
 
 #include "acquisition/tip_centres.h"
-#include "core/in_quotes.h"
 #include "core/statistics.h"
 #include "core/units.h"
 #include "identification/arm_fit.h"
 #include "identification/coupling_analysis.h"
 #include "identification/leave_out.h"
 #include "identification/lost_text.h"
+#include "identification/near_the_balls.h"
 #include "identification/outliers.h"
 #include "identification/selection.h"
 #include "identification/start.h"
+#include "identification/strange.h"
 
 namespace artcal {
 namespace {
+
+// What stands out by more, mm, is worth a warning; by more than the second it is no reading of what it is said to be.
+constexpr double a_slip = 0.3;
+constexpr double another_place = 2.0;
 
 /// What is settled before anything is solved.
 struct Preparation {
@@ -131,14 +136,6 @@ std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, co
   return values;
 }
 
-double typical_rms(const Evaluation& evaluation) {
-  std::vector<double> all;
-  for (const FeatureDeviation& feature : evaluation.features) {
-    all.push_back(feature.rms);
-  }
-  return median(all);
-}
-
 // Things that are no error but that a careful person would want to know.
 std::vector<std::string> suspicions(const Identification& result, double length) {
   std::vector<std::string> warnings;
@@ -159,15 +156,8 @@ std::vector<std::string> suspicions(const Identification& result, double length)
         "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
         "real arm");
   }
-  // One ball on the wrong side of its readings, or in another's place, spoils all.
-  const auto worst = std::max_element(result.after.features.begin(), result.after.features.end(),
-                                      [](const auto& a, const auto& b) { return a.rms < b.rms; });
-  if (worst != result.after.features.end() && worst->rms > 0.3 && worst->rms > 2.0 * typical_rms(result.after)) {
-    warnings.push_back(
-        fmt::format("the readings of feature {} in placement {} are {:.2g} mm rms off even with the identified arm: is "
-                    "that the feature which was read, on the artefact that is described? The identified arm may be no "
-                    "better than its start",
-                    in_quotes(worst->name.feature), in_quotes(worst->name.placement), worst->rms));
+  if (const auto strange = what_stands_out(result.after, a_slip)) {
+    warnings.push_back(*strange);
   }
   if (result.after.overall.rms > result.before.overall.rms) {
     warnings.push_back("the identified arm fits the readings no better than the nominal one");
@@ -185,6 +175,15 @@ std::vector<std::string> suspicions(const Identification& result, double length)
                     std::sqrt(squares / count) / result.after.overall.rms));
   }
   return warnings;
+}
+
+// What was wrong with a fit that failed, where the arm that it began with shows it.
+Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {
+  const auto evaluation = evaluate(recording, constraints, start);
+  if (const auto strange = evaluation ? what_stands_out(*evaluation, another_place) : std::nullopt) {
+    error.message = *strange + " No arm was found that fits all (" + error.message + ")";
+  }
+  return error;
 }
 
 void judge_noise(const ArmFit& fit, Identification& result) {
@@ -225,7 +224,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   const SolveOptions solve_options{options.loss, options.max_iterations};
   const auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise, solve_options);
   if (!fit) {
-    return tl::unexpected(fit.error());
+    return tl::unexpected(with_reason(fit.error(), recording, constraints, preparation->start));
   }
   const auto covariance = arm_covariance(fit->scale, fit->linearisation);
   if (!covariance) {
@@ -239,6 +238,12 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     if (!*judged) {
       return tl::unexpected(judged->error());
     }
+  }
+  // One feature in another's place spoils the arm, unless a loss let go of it.
+  if (const auto strange = what_stands_out(*after, another_place); strange && options.loss == Loss::None) {
+    return no_solution(*strange +
+                       " No arm fits all of them. Correct or take out what is wrong; --loss cauchy lets go of single "
+                       "readings and lists them");
   }
   Identification result;
   result.arm = fit->arm;

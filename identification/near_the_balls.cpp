@@ -1,0 +1,137 @@
+#include "identification/near_the_balls.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "identification/coupling.h"
+#include "identification/evaluation.h"
+#include "identification/problem.h"
+#include "identification/settle.h"
+#include "identification/weights.h"
+
+namespace artcal {
+namespace {
+
+/// How large the rms deviation of a ball's readings may be.
+struct Bound {
+  double share;            ///< of the ball's and the tip's radius together
+  bool without_certified;  ///< also where the ball's radius is unknown: then of the tip's alone
+};
+// Below this the readings are surely on the side of the ball where the arm has them. Of a ball of unknown size at least
+// the tip is known; where that is a point, any readings may be another ball.
+constexpr Bound round_enough{0.03, true};
+// Contacts all over a ball are one radius from their mean: what scatters more is read with an arm that misses it.
+constexpr Bound any_ball{1.1, false};
+// What counts as far off, mm, round by round: a wide loss finds the way, a narrow one lets go of balls on the wrong
+// side.
+constexpr double rounds[] = {3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.3};
+constexpr int iterations = 25;
+
+/// An arm, and how many balls it does not see yet.
+struct Near {
+  Arm arm;
+  int unseen = std::numeric_limits<int>::max();
+};
+
+// Balls whose readings, evaluated as `evaluated` takes them, are beyond the bound.
+int count_beyond(const Bound& bound, const Recording& recording, const Constraints& constraints,
+                 const Constraints& evaluated, const Arm& arm) {
+  const auto evaluation = evaluate(recording, evaluated, arm);
+  if (!evaluation) {
+    return std::numeric_limits<int>::max();
+  }
+  int count = 0;
+  for (std::size_t f = 0; f < constraints.features.size(); ++f) {
+    const FeatureConstraint& feature = constraints.features[f];
+    const double radius = feature.radius + arm.probes[recording.readings[feature.readings.front()].probe].radius;
+    const bool asked = feature.demand == Demand::OnBall && (feature.radius > 0.0 || bound.without_certified);
+    const bool within = evaluation->features[f].rms < bound.share * radius;
+    count += asked && !within ? 1 : 0;
+  }
+  return count;
+}
+
+// The free parameters that these constraints tell at this arm; nothing where the analysis finds no solution.
+std::optional<std::vector<Parameter>> told(const Recording& recording, const Constraints& constraints, const Arm& arm,
+                                           const Selection& selection) {
+  const auto coupling = analyse_coupling(recording, constraints, arm, coupling_options(selection));
+  const auto free = coupling ? free_parameters(selection, *coupling) : tl::unexpected(coupling.error());
+  return free ? std::optional(*free) : std::nullopt;
+}
+
+// The arm fitted to balls taken for points. Certified distances count as the readings do: held to a micrometre,
+// they would bind the middles of half balls to what is true of centres, and the solver would creep along them.
+std::optional<Arm> fitted_to_points(const Recording& recording, const Constraints& points, const Arm& start,
+                                    const Selection& selection) {
+  const auto free = told(recording, points, start, selection);
+  if (!free) {
+    return std::nullopt;
+  }
+  const System system = make_system(recording, points, start, *free);
+  auto unknowns = settle(system, start, recording);
+  if (!unknowns) {
+    return std::nullopt;
+  }
+  const Solution solution =
+      solve(system, unit_weights(points), Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
+  return solution.termination == Termination::Failed ? std::nullopt : std::optional(system.arm_at(solution.x.data()));
+}
+
+// Fits with a loss that lets go of balls on the wrong side, and settles these anew, until all are seen.
+Near approach(const Recording& recording, const Constraints& constraints, const Arm& start,
+              const Selection& selection) {
+  const auto free = told(recording, constraints, start, selection);
+  Near near{start};
+  for (const double far_off : rounds) {
+    if (!free || near.unseen == 0) {
+      break;
+    }
+    const System system = make_system(recording, constraints, near.arm, *free);
+    auto unknowns = settle(system, near.arm, recording);
+    if (!unknowns) {
+      break;
+    }
+    const Solution solution =
+        solve(system, uniform_weights(constraints, far_off), Eigen::VectorXd::Zero(system.arm_size()),
+              std::move(*unknowns), {Loss::Cauchy, iterations});
+    if (solution.termination == Termination::Failed) {
+      break;
+    }
+    near.arm = system.arm_at(solution.x.data());
+    near.unseen = count_beyond(round_enough, recording, constraints, constraints, near.arm);
+  }
+  return near;
+}
+
+}  // namespace
+
+Arm arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
+                       const Selection& selection) {
+  Near best{start, count_beyond(round_enough, recording, constraints, constraints, start)};
+  const auto try_from = [&](const Arm& arm) {
+    Near near = approach(recording, constraints, arm, selection);
+    if (near.unseen < best.unseen) {
+      best = std::move(near);
+    }
+  };
+  if (best.unseen == 0) {
+    return start;
+  }
+  const Constraints points = balls_as_points(constraints);
+  const bool misses = count_beyond(any_ball, recording, constraints, points, start) > 0;
+  if (!misses) {
+    try_from(start);
+  }
+  if (best.unseen > 0) {
+    if (const auto by_points = fitted_to_points(recording, points, start, selection)) {
+      if (misses) {
+        best.arm = *by_points;
+      }
+      try_from(*by_points);
+    }
+  }
+  return best.arm;
+}
+
+}  // namespace artcal

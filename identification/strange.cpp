@@ -1,0 +1,47 @@
+#include "identification/strange.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/in_quotes.h"
+#include "core/statistics.h"
+
+namespace artcal {
+namespace {
+
+constexpr double unusual = 5.0;
+
+// The worst of all, where its size is above `far_off` and well above the median; nothing elsewhere.
+template <typename Item, typename Size>
+const Item* standing_out(const std::vector<Item>& items, double far_off, Size&& size) {
+  std::vector<double> sizes;
+  for (const Item& item : items) {
+    sizes.push_back(size(item));
+  }
+  const auto worst = std::max_element(sizes.begin(), sizes.end());
+  const bool stands_out = worst != sizes.end() && *worst > far_off && *worst > unusual * median(sizes);
+  return stands_out ? &items[static_cast<std::size_t>(worst - sizes.begin())] : nullptr;
+}
+
+}  // namespace
+
+std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off) {
+  if (const auto* feature = standing_out(evaluation.features, far_off, [](const auto& f) { return f.rms; })) {
+    return fmt::format(
+        "the readings of feature {} in placement {} are {:.3g} mm rms off with an arm that the others fit: was that "
+        "feature touched by all of them, and on the artefact that is described?",
+        in_quotes(feature->name.feature), in_quotes(feature->name.placement), feature->rms);
+  }
+  if (const auto* length = standing_out(evaluation.lengths, far_off, [](const auto& l) { return std::abs(l.error); })) {
+    return fmt::format(
+        "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.6g} mm with an arm "
+        "that the others fit: have these features each other's names?",
+        in_quotes(length->first.feature), in_quotes(length->second), in_quotes(length->first.placement), length->error,
+        length->certified);
+  }
+  return std::nullopt;
+}
+
+}  // namespace artcal
