@@ -24,9 +24,9 @@ constexpr double degree = std::numbers::pi / 180.0;
 /// The arm of the recording is nominal, the scan is the true arm's.
 class ScanReadings : public ::testing::Test {
  protected:
-  void scan(std::uint64_t seed) {
+  void scan(std::uint64_t seed, double times = 1.0) {
     settings_.seed = seed;
-    scan_ = testing::scan_with_arm(testing::planted_errors(testing::arm_with_ball_tip(), seed), settings_);
+    scan_ = testing::scan_with_arm(testing::planted_errors(testing::arm_with_ball_tip(), seed, times), settings_);
     text_ = testing::text_of(scan_);
   }
   Expected<Constraints> read() {
@@ -78,6 +78,15 @@ TEST_F(ScanReadings, TellsTheBallOfEachPointWithANominalArm) {
     on_balls += count_of(0) + count_of(1) + count_of(2);
   }
   EXPECT_GE(used, 0.99 * on_balls);
+}
+
+// Errors of 1.2 mm and 0.4 degrees: the nominal arm sees balls that are not round.
+TEST_F(ScanReadings, BallsBentByTheNominalArmAreFoundWhole) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    scan(seed, 4.0);
+    ASSERT_EQ(refusal(), "accepted") << seed;
+    EXPECT_GE(static_cast<int>(recording_.readings.size()), 0.97 * (count_of(0) + count_of(1) + count_of(2))) << seed;
+  }
 }
 
 TEST_F(ScanReadings, SimulatedTouchesAreOnTheBalls) {

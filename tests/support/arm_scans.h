@@ -39,16 +39,17 @@ inline Arm arm_with_ball_tip() {
 }
 
 /// The arm as it is: every length off by up to 0.3 mm, every angle by up to 0.1 degrees.
-inline Arm planted_errors(Arm arm, std::uint64_t seed) {
+inline Arm planted_errors(Arm arm, std::uint64_t seed, double times = 1.0) {
   RandomStream random(seed, "planted");
-  const double angle = 0.1 * 3.14159265 / 180.0;
+  const double mm = 0.3 * times;
+  const double angle = times * 0.1 * 3.14159265 / 180.0;
   for (Joint& joint : arm.joints) {
-    joint.a += random.uniform(-0.3, 0.3);
-    joint.d += random.uniform(-0.3, 0.3);
+    joint.a += random.uniform(-mm, mm);
+    joint.d += random.uniform(-mm, mm);
     joint.theta += random.uniform(-angle, angle);
     joint.alpha += random.uniform(-angle, angle);
   }
-  arm.probes[0].tip_in_last.z() += random.uniform(-0.3, 0.3);
+  arm.probes[0].tip_in_last.z() += random.uniform(-mm, mm);
   return arm;
 }
 
