@@ -36,5 +36,6 @@ Run set_up_uncertainty(CLI::App& parser);
 Run set_up_verify(CLI::App& parser);
 Run set_up_points(CLI::App& parser);
 Run set_up_simulate(CLI::App& parser);
+Run set_up_report(CLI::App& parser);
 
 }  // namespace artcal

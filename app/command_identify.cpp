@@ -9,6 +9,7 @@
 #include "app/dcc_identification.h"
 #include "app/dcc_request.h"
 #include "app/output.h"
+#include "app/readings_json.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
 #include "app/version.h"
@@ -27,6 +28,7 @@ struct Request {
   std::string loss;
   std::string noise, encoder_noise, probing_noise;
   bool no_leave_out = false;
+  bool no_residuals = false;
   int threads = 0;
 };
 
@@ -131,9 +133,14 @@ Expected<int> identify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (auto written = write_json(request.common.json, to_json(*recording, *constraints, *options, *result, timings));
-      !written) {
-    return tl::unexpected(written.error());
+  if (!request.common.json.empty()) {
+    auto json = to_json(*recording, *constraints, *options, *result, timings);
+    if (!request.no_residuals) {
+      json["residuals"] = residuals_json(*recording, *constraints, *result);
+    }
+    if (auto written = write_json(request.common.json, json); !written) {
+      return tl::unexpected(written.error());
+    }
   }
   if (request.common.talks()) {
     fmt::print("{}", to_text(*recording, *constraints, *result));
@@ -162,6 +169,7 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"");
   parser.add_option("--probing-noise", request->probing_noise, "noise of the tip beside the joints', such as \"3 um\"");
   parser.add_flag("--no-leave-out", request->no_leave_out, "do not identify again without each placement");
+  parser.add_flag("--no-residuals", request->no_residuals, "leave the readings out of the JSON: it is much smaller");
   parser.add_option("--threads", request->threads, "threads for leaving out; 0 takes all, the result is the same")
       ->check(CLI::NonNegativeNumber);
   request->common.add_to(parser);

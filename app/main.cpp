@@ -25,6 +25,7 @@ constexpr std::array commands{
     artcal::Command{"verify", "judge an arm by a standard", artcal::set_up_verify},
     artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
     artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
+    artcal::Command{"report", "results as a page to look at and to print", artcal::set_up_report},
 };
 
 constexpr int wrong_usage = 2;

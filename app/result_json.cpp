@@ -1,6 +1,7 @@
 #include "app/result_json.h"
 
 #include "app/artefacts_told.h"
+#include "app/readings_json.h"
 #include "app/result_head.h"
 #include "identification/lost_text.h"
 
@@ -157,11 +158,20 @@ Json length_json(const LengthDeviation& length) {
           {"second", length.second},           {"certified_mm", length.certified},    {"error_mm", length.error}};
 }
 
+Json features_json(const Evaluation& evaluation) {
+  Json json = list(evaluation.features, deviation_json);
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const Eigen::Vector3d& point = evaluation.points[i];
+    json[i]["at_mm"] = {point.x(), point.y(), point.z()};
+  }
+  return json;
+}
+
 Json evaluation_json(const Evaluation& evaluation) {
   return {{"overall", deviation_json(evaluation.overall)},
           {"artefacts", list(evaluation.artefacts, deviation_json)},
           {"placements", list(evaluation.placements, deviation_json)},
-          {"features", list(evaluation.features, deviation_json)},
+          {"features", features_json(evaluation)},
           {"lengths", list(evaluation.lengths, length_json)}};
 }
 
@@ -208,6 +218,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
                     {"placements", result.after.placements.size()},
                     {"artefacts", result.after.artefacts.size()}};
   json["date"] = recording.date.empty() ? Json(nullptr) : Json(recording.date);
+  json["temperature"] = temperature_json(recording);
   json["artefacts"] = artefacts_json(constraints.artefacts);
   json["coupling"] = coupling_json(result.coupling);
   json["parameters"] = parameters_json(result);
@@ -233,6 +244,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
                          {"rounds", result.noise_rounds},
                          {"cost", result.cost}};
   json["warnings"] = result.warnings;
+  json["arm_shape"] = arm_shape_json(recording, result.arm);
   json["timings_s"] = {{"reading", timings.reading}, {"identifying", timings.identifying}};
   return json;
 }

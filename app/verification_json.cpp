@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "app/artefacts_told.h"
+#include "app/readings_json.h"
 #include "app/result_json.h"
 #include "core/text_file.h"
 
@@ -179,6 +181,10 @@ Json to_json(const Session& session, const VerificationResult& result) {
   const Verification& verification = result.verification;
   Json json = result_header(session.recording, "verification", std::nullopt);
   json["arm"] = session.arm.name;
+  json["date"] = text_or_null(session.recording.date);
+  json["temperature"] = temperature_json(session.recording);
+  json["artefacts"] = artefacts_json(session.constraints.artefacts);
+  json["readings"] = session.recording.readings.size();
   json["standard"] = verification.standard;
   json["tip_centres"] = session.tips.source == TipSource::Reported ? "reported" : "joints";
   json["specification"] = text_or_null(session.specification.name);
@@ -192,6 +198,7 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["interim"] = result.interim ? interim_json(*result.interim) : Json(nullptr);
   json["missing"] = verification.missing;
   json["warnings"] = verification.warnings;
+  json["arm_shape"] = arm_shape_json(session.recording, session.arm);
   return json;
 }
 

@@ -92,10 +92,16 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
       const Sweep& sweep = sweeps[system.probes[reading]];
-      const Residual r = residual.at(k, sweep.tip_in_base(system.sines_of(reading)), sweep.tip_radius(), false);
+      const Eigen::Vector3d tip = sweep.tip_in_base(system.sines_of(reading));
+      const Residual r = residual.at(k, tip, sweep.tip_radius(), true);
       evaluation.deviations.push_back(r.rows == 1 ? r.value[0] : r.value.norm());
+      evaluation.tips.push_back(tip);
+      evaluation.offsets.push_back(r.by_tip.topRows(r.rows).transpose() * r.value.head(r.rows));
       sum.add(evaluation.deviations.back());
     }
+    const Tips tips = tips_of(system, feature, sweeps);
+    evaluation.points.push_back(feature.demand == Demand::OnPlane ? Eigen::Vector3d(tips.centres.rowwise().mean())
+                                                                  : measure(tips, *unknowns).point_in_base);
     evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
     placements[{feature.artefact, feature.placement}].add(sum);
     artefacts[feature.artefact].add(sum);

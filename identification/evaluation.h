@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "artefacts/constraint.h"
 #include "core/error.h"
 
@@ -34,7 +36,12 @@ struct Evaluation {
   std::vector<FeatureDeviation> artefacts;   ///< and over the placements of one artefact
   std::vector<LengthDeviation> lengths;      ///< as Constraints::distances
   FeatureDeviation overall;
-  std::vector<double> deviations;  ///< of each reading in order of the features, signed for balls and lengths
+  /// Of each reading, in order of the features.
+  std::vector<double> deviations;        ///< signed for balls, planes and lengths
+  std::vector<Eigen::Vector3d> tips;     ///< in the base frame, mm
+  std::vector<Eigen::Vector3d> offsets;  ///< from where the tip should have been to where it was, base frame, mm
+  /// Of each feature, in the base frame, mm: its point or centre by its own readings; of a plane, among them.
+  std::vector<Eigen::Vector3d> points;
 };
 
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm);

@@ -60,6 +60,11 @@ class ProgramTest : public ::testing::Test {
   [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, rlim_t most_bytes = 0) const {
     std::vector<std::string> all = arguments;
     all.insert(all.begin(), ARTCAL_PROGRAM);
+    return start_command(std::move(all), most_bytes);
+  }
+
+  /// Starts any command in the same way.
+  [[nodiscard]] pid_t start_command(std::vector<std::string> all, rlim_t most_bytes = 0) const {
     std::vector<char*> pointers;
     std::transform(all.begin(), all.end(), std::back_inserter(pointers), [](std::string& text) { return text.data(); });
     pointers.push_back(nullptr);
@@ -76,7 +81,7 @@ class ProgramTest : public ::testing::Test {
         ::setrlimit(RLIMIT_FSIZE, &limit);
         ::signal(SIGXFSZ, SIG_IGN);
       }
-      ::execv(pointers[0], pointers.data());
+      ::execvp(pointers[0], pointers.data());
       ::_exit(127);
     }
     return child;
@@ -90,6 +95,10 @@ class ProgramTest : public ::testing::Test {
   }
 
   [[nodiscard]] Ended run(const std::vector<std::string>& arguments) const { return wait_for(start(arguments)); }
+
+  [[nodiscard]] Ended run_command(const std::vector<std::string>& command) const {
+    return wait_for(start_command(command));
+  }
 
   /// What stands in the folder where the program runs, sorted.
   [[nodiscard]] std::vector<std::string> names() const {

@@ -1,0 +1,80 @@
+#include "app/report/html.h"
+
+#include <fmt/format.h>
+
+#include "core/in_quotes.h"
+
+namespace artcal::html {
+namespace {
+
+constexpr std::size_t longest = 4000;
+
+}  // namespace
+
+std::string text(std::string_view found) {
+  std::string escaped;
+  for (const char c : at_most(longest, found)) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&#39;"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string element(std::string_view tag, std::string_view content, std::string_view attributes) {
+  return fmt::format("<{}{}{}>{}</{}>\n", tag, attributes.empty() ? "" : " ", attributes, content, tag);
+}
+
+std::string data(const nlohmann::ordered_json& json) {
+  std::string escaped;
+  for (const char c : json.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)) {
+    switch (c) {
+      case '<': escaped += "\\u003c"; break;
+      case '>': escaped += "\\u003e"; break;
+      case '&': escaped += "\\u0026"; break;
+      default: escaped += c;
+    }
+  }
+  return escaped;
+}
+
+Table::Table(std::string_view caption, std::vector<Column> columns)
+    : caption_(text(caption)), columns_(std::move(columns)) {}
+
+void Table::add(const std::vector<std::string>& cells) {
+  std::vector<std::string> markup;
+  for (const std::string& cell : cells) {
+    markup.push_back(text(cell));
+  }
+  add_markup(markup);
+}
+
+void Table::add_markup(const std::vector<std::string>& cells, std::string_view row_class) {
+  rows_ += row_class.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", row_class);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    const char* number = column.is_number ? " class=\"number\"" : "";
+    rows_ += column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", number, cells[i])
+                               : fmt::format("<td{}>{}</td>", number, cells[i]);
+  }
+  rows_ += "</tr>\n";
+}
+
+std::string Table::markup(std::string_view attributes) const {
+  std::string head;
+  for (const Column& column : columns_) {
+    head +=
+        fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
+  }
+  return fmt::format(
+      "<div class=\"table\"><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table>"
+      "</div>\n",
+      attributes.empty() ? "" : " ", attributes, caption_, head, rows_);
+}
+
+}  // namespace artcal::html

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace artcal::html {
+
+/// Text as a page shows it: what HTML would read as markup is written as entities, control characters and marks
+/// of direction as '?', and of a very long text the first 4000 characters. Fit for text and for attributes in
+/// double quotes; the only way by which anything from a file gets into a page.
+std::string text(std::string_view found);
+
+/// Each in a tag of its own; the arguments are markup already.
+std::string element(std::string_view tag, std::string_view content, std::string_view attributes = {});
+
+/// JSON for a <script> of data: nothing in it ends the script or opens a comment.
+std::string data(const nlohmann::ordered_json& json);
+
+/// One column of a table.
+struct Column {
+  std::string heading;      ///< text, not markup
+  bool is_number = true;    ///< set to the right
+  bool is_heading = false;  ///< its cells name their rows
+};
+
+/// A table whose head is repeated on each page of paper.
+class Table {
+ public:
+  Table(std::string_view caption, std::vector<Column> columns);
+  /// Cells are text, not markup; as many as columns.
+  void add(const std::vector<std::string>& cells);
+  /// The same, with a class for the row and cells that are markup.
+  void add_markup(const std::vector<std::string>& cells, std::string_view row_class = {});
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+  [[nodiscard]] std::string markup(std::string_view attributes = {}) const;
+
+ private:
+  std::string caption_;
+  std::vector<Column> columns_;
+  std::string rows_;
+};
+
+}  // namespace artcal::html

@@ -1,0 +1,240 @@
+#include "app/report/identification_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/report/correlation.h"
+#include "app/report/lengths.h"
+#include "app/report/numbers.h"
+#include "app/report/readings.h"
+#include "app/report/scene.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace numbers;
+
+/// All placements that were left out, put together.
+struct LeftOut {
+  std::size_t readings = 0;
+  double rms = 0.0, maximum = 0.0;
+  std::size_t lengths = 0;
+  double worst_length = 0.0;  // its error
+};
+
+double worst_error(const Json& lengths) {
+  double worst = 0.0;
+  for (const Json& length : lengths) {
+    const double error = length.at("error_mm");
+    worst = std::abs(error) > std::abs(worst) ? error : worst;
+  }
+  return worst;
+}
+
+LeftOut left_out_of(const Json& result) {
+  LeftOut all;
+  double squares = 0.0;
+  for (const Json& left : result.at("left_out")) {
+    const auto readings = left.at("readings").get<std::size_t>();
+    const double rms = left.at("rms_mm");
+    all.readings += readings;
+    squares += static_cast<double>(readings) * rms * rms;
+    const double worst = worst_error(left.at("lengths"));
+    all.lengths += left.at("lengths").size();
+    all.worst_length = std::abs(worst) > std::abs(all.worst_length) ? worst : all.worst_length;
+    all.maximum = std::max(all.maximum, left.at("maximum_mm").get<double>());
+  }
+  all.rms = all.readings > 0 ? std::sqrt(squares / static_cast<double>(all.readings)) : 0.0;
+  return all;
+}
+
+std::size_t identified_count(const Json& result) {
+  const Json& parameters = result.at("parameters");
+  return static_cast<std::size_t>(std::count_if(parameters.begin(), parameters.end(), [](const Json& parameter) {
+    return parameter.at("state") == "identified";
+  }));
+}
+
+void write_before_and_after(const Json& result, Sheet& sheet) {
+  const Json& before = result.at("before");
+  const Json& after = result.at("after");
+  const LeftOut left = left_out_of(result);
+  const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
+  html::Table table("Deviation of the readings, mm",
+                    {{"", false, true}, {"before"}, {"after"}, {"placement left out"}});
+  table.add({"root mean square", mm(before.at("overall").at("rms_mm")), mm(after.at("overall").at("rms_mm")),
+             left_or_dash(left.rms)});
+  table.add({"largest", mm(before.at("overall").at("maximum_mm")), mm(after.at("overall").at("maximum_mm")),
+             left_or_dash(left.maximum)});
+  if (!after.at("lengths").empty()) {
+    table.add({"worst certified length, error", signed_mm(worst_error(before.at("lengths"))),
+               signed_mm(worst_error(after.at("lengths"))), left.lengths > 0 ? signed_mm(left.worst_length) : "–"});
+  }
+  sheet.table(table);
+  if (left.readings > 0) {
+    sheet.paragraph(
+        "Before: the nominal arm. After: the identified arm, judged by the readings it was identified from. Placement "
+        "left out: each placement judged by an arm identified without it; expect this of new readings.");
+  }
+}
+
+void write_placements(const Json& result, Sheet& sheet) {
+  const Json& after = result.at("after").at("placements");
+  const Json& before = result.at("before").at("placements");
+  html::Table table("Deviation by placement, rms, mm", {{"artefact", false},
+                                                        {"placement", false, true},
+                                                        {"readings"},
+                                                        {"before"},
+                                                        {"after"},
+                                                        {"largest after"},
+                                                        {"left out"}});
+  const Json& left_out = result.at("left_out");
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const Json& row = after[i];
+    const auto left = std::find_if(left_out.begin(), left_out.end(), [&](const Json& other) {
+      return text_in(other, "artefact") == text_in(row, "artefact") &&
+             text_in(other, "placement") == text_in(row, "placement");
+    });
+    const std::string left_rms = left == left_out.end()          ? "–"
+                                 : left->at("refusal").is_null() ? mm(left->at("rms_mm"))
+                                                                 : "not possible";
+    table.add({shown(text_in(row, "artefact")), shown(text_in(row, "placement")),
+               fmt::format("{}", row.at("readings").get<std::size_t>()), mm(before.at(i).at("rms_mm")),
+               mm(row.at("rms_mm")), mm(row.at("maximum_mm")), left_rms});
+  }
+  sheet.table(table);
+}
+
+void write_parameters(const Json& result, Sheet& sheet) {
+  html::Table table("Parameters of the arm; u is the standard uncertainty (k = 1)",
+                    {{"parameter", false, true}, {"unit", false}, {"nominal"}, {"identified"}, {"change"}, {"u"}});
+  for (const Json& parameter : result.at("parameters")) {
+    const bool angle = parameter.at("unit") == "rad";
+    const double unit = angle ? units::degree : 1.0;
+    const auto number = [&](const char* key) {
+      return fmt::format("{:.{}f}", parameter.at(key).get<double>() / unit, angle ? 6 : 5);
+    };
+    const std::string state = parameter.at("state");
+    const bool identified = state == "identified";
+    const double change = parameter.at("identified").get<double>() - parameter.at("nominal").get<double>();
+    table.add({parameter.at("name"), angle ? "°" : "mm", number("nominal"), number("identified"),
+               identified ? fmt::format("{:+.{}f}", change / unit, angle ? 6 : 5) : "–",
+               identified        ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit)
+               : state == "lost" ? "cannot be told"
+                                 : "held"});
+  }
+  sheet.table(table);
+}
+
+void write_lost(const Json& coupling, Sheet& sheet) {
+  sheet.part("What these readings cannot tell");
+  std::vector<std::string> lost, weak;
+  for (const Json& direction : coupling.at("lost")) {
+    lost.push_back(fmt::format("{}; {} is held", direction.at("text").get<std::string>(),
+                               direction.at("held").get<std::string>()));
+  }
+  for (const Json& direction : coupling.at("weak")) {
+    weak.push_back(direction.at("text"));
+  }
+  sheet.paragraph(lost.empty() ? "Nothing: all parameters of the arm can be told."
+                               : fmt::format("{} of {} combinations of parameters can be told. These cannot, whatever "
+                                             "the noise, and keep their nominal values:",
+                                             coupling.at("rank").get<std::size_t>(),
+                                             coupling.at("parameter_count").get<std::size_t>()));
+  sheet.list(lost);
+  if (!weak.empty()) {
+    sheet.paragraph("These are told, but poorly:");
+    sheet.list(weak);
+  }
+}
+
+void write_noise(const Json& result, Sheet& sheet) {
+  const Json& noise = result.at("noise");
+  const Json& range = noise.at("chi_squared_95");
+  sheet.facts(
+      {{"Noise of a reading",
+        fmt::format("{:.4g} mm a coordinate, {}", noise.at("mm").get<double>(),
+                    noise.at("given").get<bool>() ? "as stated beforehand" : "estimated from the residuals")},
+       {"Agreement", fmt::format("χ² = {:.1f} with {} degrees of freedom; 95 of 100 sound fits lie between "
+                                 "{:.1f} and {:.1f}",
+                                 noise.at("chi_squared").get<double>(), noise.at("degrees_of_freedom").get<long>(),
+                                 range.at(0).get<double>(), range.at(1).get<double>())}});
+  if (noise.at("enlargement").get<double>() > 1.0) {
+    sheet.note(fmt::format("The readings scatter more than was stated: all uncertainties are enlarged by {:.3g}.",
+                           noise.at("enlargement").get<double>()));
+  }
+}
+
+void write_outliers(const Json& outliers, Sheet& sheet) {
+  html::Table table("Readings further off than chance allows; they took part like all others", {{"where", false, true},
+                                                                                                {"placement", false},
+                                                                                                {"feature", false},
+                                                                                                {"deviation, mm"},
+                                                                                                {"standard deviations"},
+                                                                                                {"limit"}});
+  for (const Json& outlier : outliers) {
+    table.add({shown(text_in(outlier, "where")), shown(text_in(outlier, "placement")),
+               shown(text_in(outlier, "feature")), signed_mm(outlier.at("deviation_mm")),
+               fmt::format("{:.1f}", outlier.at("standardised").get<double>()),
+               fmt::format("{:.1f}", outlier.at("limit").get<double>())});
+  }
+  sheet.table(table);
+}
+
+}  // namespace
+
+void write_identification_verdict(const Json& result, Sheet& sheet) {
+  const std::size_t warnings = result.at("warnings").size();
+  const std::size_t outliers = result.at("outliers").size();
+  const LeftOut left = left_out_of(result);
+  std::string text = fmt::format(
+      "{} of {} parameters. Readings deviate by {} mm rms, {} mm at most; by the nominal arm {} mm and {} mm.",
+      identified_count(result), result.at("parameters").size(), mm(result.at("after").at("overall").at("rms_mm")),
+      mm(result.at("after").at("overall").at("maximum_mm")), mm(result.at("before").at("overall").at("rms_mm")),
+      mm(result.at("before").at("overall").at("maximum_mm")));
+  if (left.readings > 0) {
+    text += fmt::format(" Expect {} mm rms of new readings.", mm(left.rms));
+  }
+  if (warnings + outliers > 0) {
+    const std::string first = warnings > 0 ? plural(warnings, "warning") : "";
+    const std::string second = outliers > 0 ? plural(outliers, "outlying reading") : "";
+    text += fmt::format(" See {}{}{} below.", first, warnings > 0 && outliers > 0 ? " and " : "", second);
+  }
+  const bool clear = warnings + outliers == 0;
+  sheet.verdict(clear ? Mood::Good : Mood::Unsure, clear ? "✓ Identified" : "⚠ Identified, with reservations", text);
+}
+
+void write_identification(const Json& result, Sheet& sheet) {
+  const bool has_readings = result.contains("residuals");
+  const ReportedReadings readings = has_readings ? readings_in(result) : ReportedReadings();
+  write_before_and_after(result, sheet);
+  if (has_readings) {
+    sheet.figure(residuals_by_placement(result, readings));
+  } else {
+    sheet.note("This result was written with --no-residuals: its readings cannot be drawn.");
+  }
+  write_placements(result, sheet);
+  write_outliers(result.at("outliers"), sheet);
+  if (has_readings) {
+    sheet.figure(scene_of(result, readings));
+  }
+  if (!result.at("after").at("lengths").empty()) {
+    write_length_errors(result, sheet);
+  }
+  sheet.part("Parameters");
+  write_parameters(result, sheet);
+  write_noise(result, sheet);
+  write_lost(result.at("coupling"), sheet);
+  if (result.at("covariance").at("parameters").size() > 1) {
+    sheet.figure(correlation_of(result.at("covariance")));
+  }
+  if (has_readings && !readings.joints.empty()) {
+    sheet.figure(residuals_by_joint(readings));
+  }
+}
+
+}  // namespace artcal

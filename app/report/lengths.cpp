@@ -1,0 +1,87 @@
+#include "app/report/lengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/report/numbers.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace numbers;
+
+bool is_same(const Json& a, const Json& b) {
+  return a.at("artefact") == b.at("artefact") && a.at("placement") == b.at("placement") &&
+         a.at("first") == b.at("first") && a.at("second") == b.at("second");
+}
+
+// By an arm identified without the placement; null where there is none.
+const Json* left_out_length(const Json& left_out, const Json& length) {
+  for (const Json& left : left_out) {
+    for (const Json& other : left.at("lengths")) {
+      if (is_same(other, length)) {
+        return &other;
+      }
+    }
+  }
+  return nullptr;
+}
+
+Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
+  double largest = 0.0;
+  for (const Json& length : after) {
+    largest = std::max(largest, std::abs(length.at("error_mm").get<double>()));
+  }
+  for (const Json* left : left_out) {
+    largest = std::max(largest, left == nullptr ? 0.0 : std::abs(left->at("error_mm").get<double>()));
+  }
+  const DrawnUnit unit = drawn_unit(largest);
+  Json x = Json::array(), fitted = Json::array(), unseen = Json::array(), names = Json::array();
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const Json& length = after[i];
+    x.push_back(length.at("certified_mm"));
+    fitted.push_back(drawn(unit.per_mm * length.at("error_mm").get<double>()));
+    unseen.push_back(left_out[i] == nullptr ? Json(nullptr)
+                                            : drawn(unit.per_mm * left_out[i]->at("error_mm").get<double>()));
+    names.push_back(shown(
+        fmt::format("{}: {} – {}", text_in(length, "placement"), text_in(length, "first"), text_in(length, "second"))));
+  }
+  return {
+      "Errors of the certified lengths over length",
+      fmt::format("Measured less certified; the largest is {} mm. Full circles: the identified arm; open squares: an "
+                  "arm identified without the placement.",
+                  mm(largest)),
+      {{"kind", "lengths"},
+       {"unit", unit.name},
+       {"names", names},
+       {"series",
+        {{{"name", "identified arm"}, {"symbol", "circle"}, {"x", x}, {"y", fitted}},
+         {{"name", "placement left out"}, {"symbol", "square-open"}, {"x", x}, {"y", unseen}}}}}};
+}
+
+}  // namespace
+
+void write_length_errors(const Json& identification, Sheet& sheet) {
+  const Json& before = identification.at("before").at("lengths");
+  const Json& after = identification.at("after").at("lengths");
+  html::Table table(
+      "Certified lengths as the arm measures them, errors in mm",
+      {{"placement", false, true}, {"between", false}, {"certified"}, {"before"}, {"after"}, {"left out"}});
+  std::vector<const Json*> left_out;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const Json& length = after[i];
+    left_out.push_back(left_out_length(identification.at("left_out"), length));
+    table.add({shown(text_in(length, "placement")),
+               shown(text_in(length, "first")) + " – " + shown(text_in(length, "second")),
+               mm(length.at("certified_mm")), signed_mm(before.at(i).at("error_mm")), signed_mm(length.at("error_mm")),
+               left_out.back() == nullptr ? "–" : signed_mm(left_out.back()->at("error_mm"))});
+  }
+  sheet.part("Certified lengths");
+  sheet.figure(figure_of(after, left_out));
+  sheet.table(table);
+}
+
+}  // namespace artcal

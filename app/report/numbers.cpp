@@ -1,0 +1,58 @@
+#include "app/report/numbers.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/in_quotes.h"
+#include "core/units.h"
+
+namespace artcal::numbers {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string formatted(const char* format, double value) {
+  return std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
+}
+
+}  // namespace
+
+std::string mm(double value) { return formatted("{:.4f}", value); }
+std::string signed_mm(double value) { return formatted("{:+.4f}", value); }
+std::string micrometres(double mm) { return formatted("{:.1f}", mm / units::micrometre); }
+std::string signed_micrometres(double mm) { return formatted("{:+.1f}", mm / units::micrometre); }
+std::string two_digits(double value) { return formatted("{:.2g}", value); }
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string shown(const std::string& name) { return at_most(100, name); }
+
+double number_in(const Json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers_in(const Json& json) {
+  std::vector<double> all;
+  all.reserve(json.size());
+  for (const Json& element : json) {
+    all.push_back(number_in(element));
+  }
+  return all;
+}
+
+std::string text_in(const Json& json, const char* key, const char* otherwise) {
+  return json.contains(key) && !json.at(key).is_null() ? json.at(key).get<std::string>() : otherwise;
+}
+
+DrawnUnit drawn_unit(double largest) { return largest < 0.5 ? DrawnUnit{"µm", 1.0 / units::micrometre} : DrawnUnit{}; }
+
+Json drawn(double value) {
+  return std::isfinite(value) ? Json(std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr)) : Json(nullptr);
+}
+
+}  // namespace artcal::numbers

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace artcal::numbers {
+
+/// Numbers as reports show them; "–" for what is not a number.
+std::string mm(double value);               ///< 0.2048
+std::string signed_mm(double value);        ///< +0.2048
+std::string micrometres(double mm);         ///< 204.8
+std::string signed_micrometres(double mm);  ///< +204.8
+std::string two_digits(double value);       ///< an uncertainty: 0.031
+std::string plural(std::size_t count, const std::string& noun);
+
+/// A name from a file, cut where it is longer than a line.
+std::string shown(const std::string& name);
+
+/// NaN for null, which is how JSON holds what is not a number.
+double number_in(const nlohmann::ordered_json& json);
+std::vector<double> numbers_in(const nlohmann::ordered_json& json);
+
+/// Text, or `otherwise` for null and for what is absent.
+std::string text_in(const nlohmann::ordered_json& json, const char* key, const char* otherwise = "");
+
+/// The unit in which lengths up to `largest` mm are drawn: micrometres below half a millimetre.
+struct DrawnUnit {
+  const char* name = "mm";
+  double per_mm = 1.0;
+};
+DrawnUnit drawn_unit(double largest);
+
+/// For a picture: six digits, and null for what is not a number.
+nlohmann::ordered_json drawn(double value);
+
+}  // namespace artcal::numbers

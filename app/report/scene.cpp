@@ -1,0 +1,172 @@
+#include "app/report/scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "app/report/numbers.h"
+#include "app/report/thinning.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Point = std::array<double, 3>;
+using namespace numbers;
+
+constexpr int most_vectors = 1200;
+constexpr std::size_t most_in_a_line = 8;  // features of a bar; those of a plate stay dots
+// Of the scene's size: the rms of the errors, and the longest.
+constexpr double rms_drawn = 0.04, longest_drawn = 0.25;
+
+/// Points as a picture takes them: x, y, z; a gap ends a line.
+class Points {
+ public:
+  void add(const Point& point) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      columns_[axis].push_back(drawn(point[axis]));
+    }
+  }
+  void gap() {
+    for (Json& column : columns_) {
+      column.push_back(nullptr);
+    }
+  }
+  [[nodiscard]] Json json() const { return {{"x", columns_[0]}, {"y", columns_[1]}, {"z", columns_[2]}}; }
+
+ private:
+  std::array<Json, 3> columns_{Json::array(), Json::array(), Json::array()};
+};
+
+Point point_in(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+Json arm_of(const Json& result) {
+  Points points;
+  if (const Json& shape = result.at("arm_shape"); !shape.is_null()) {
+    for (const Json& point : shape.at("path_mm")) {
+      points.add(point_in(point));
+    }
+  }
+  return points.json();
+}
+
+Json artefacts_of(const Json& features) {
+  std::map<std::pair<std::string, std::string>, std::vector<Point>> placements;
+  Points dots, lines;
+  Json names = Json::array();
+  for (const Json& feature : features) {
+    const Point at = point_in(feature.at("at_mm"));
+    dots.add(at);
+    names.push_back(shown(fmt::format("{}: {}", text_in(feature, "placement"), text_in(feature, "feature"))));
+    placements[{text_in(feature, "artefact"), text_in(feature, "placement")}].push_back(at);
+  }
+  for (const auto& [name, points] : placements) {
+    if (points.size() > 1 && points.size() <= most_in_a_line) {
+      std::for_each(points.begin(), points.end(), [&](const Point& point) { lines.add(point); });
+      lines.gap();
+    }
+  }
+  return {{"dots", dots.json()}, {"names", names}, {"lines", lines.json()}};
+}
+
+double size_of(const std::vector<std::vector<double>>& tip) {
+  double size = 0.0;
+  for (const auto& column : tip) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double value : column) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    size = std::max(size, high - low);
+  }
+  return size;
+}
+
+// 1, 2 or 5 times a power of ten.
+double round_below(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  return power * (value >= 5.0 * power ? 5.0 : value >= 2.0 * power ? 2.0 : 1.0);
+}
+
+// Such that errors are seen beside a scene of metres.
+double enlargement_for(const std::vector<double>& lengths, double scene) {
+  double squares = 0.0, longest = 0.0;
+  for (const double length : lengths) {
+    squares += length * length;
+    longest = std::max(longest, length);
+  }
+  if (longest == 0.0) {
+    return 1.0;
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(lengths.size()));
+  return std::max(1.0, round_below(std::min(rms_drawn * scene / rms, longest_drawn * scene / longest)));
+}
+
+}  // namespace
+
+Figure scene_of(const Json& identification, const ReportedReadings& readings) {
+  std::vector<double> order, length;
+  for (std::size_t i = 0; i < readings.feature.size(); ++i) {
+    order.push_back(static_cast<double>(i));
+    length.push_back(std::hypot(readings.offset[0][i], readings.offset[1][i], readings.offset[2][i]));
+  }
+  const double longest = length.empty() ? 0.0 : *std::max_element(length.begin(), length.end());
+  const double enlargement = enlargement_for(length, std::max(size_of(readings.tip), 1.0));
+  Points vectors;
+  const auto kept = thinned(order, length, most_vectors);
+  for (const int i : kept) {
+    Point from{}, to{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      to[axis] = readings.tip[axis][i] - readings.offset[axis][i];
+      from[axis] = to[axis] + enlargement * readings.offset[axis][i];
+    }
+    vectors.add(to);
+    vectors.add(from);
+    vectors.gap();
+  }
+  const Json& placements = identification.at("after").at("placements");
+  return {
+      "The arm, the placements of the artefacts and the errors of the readings",
+      fmt::format("{}, {}. Errors are lines from where the tip should have been towards where it was, {:g} times as "
+                  "long as they are; the longest is {} mm. The arm stands in the posture of one reading. Drag to "
+                  "turn.{}",
+                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), enlargement,
+                  mm(longest), kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
+      {{"kind", "scene"},
+       {"arm", arm_of(identification)},
+       {"artefacts", artefacts_of(identification.at("after").at("features"))},
+       {"vectors", vectors.json()},
+       {"enlargement", enlargement}},
+      true};
+}
+
+Figure scene_of_verification(const Json& verification) {
+  std::map<std::string, Points> by_verdict;
+  std::map<std::string, Json> names;
+  for (const Json& value : verification.at("values")) {
+    const std::string verdict = value.at("verdict");
+    by_verdict[verdict].add(point_in(value.at("place").at("point_mm")));
+    Json& of = names.try_emplace(verdict, Json::array()).first->second;
+    of.push_back(
+        shown(fmt::format("{} {}: {} {} µm", value.at("quantity").get<std::string>(), text_in(value, "placement"),
+                          text_in(value, "first"), signed_micrometres(value.at("value_mm").get<double>()))));
+  }
+  Json places = Json::array();
+  for (const auto& [verdict, points] : by_verdict) {
+    places.push_back({{"verdict", verdict}, {"points", points.json()}, {"names", names[verdict]}});
+  }
+  return {
+      "The arm and the places where it was tested",
+      "Dots: conforms; crosses: does not conform; diamonds: nothing proven; open circles: not judged. The arm stands "
+      "in the posture of one reading. Drag to turn.",
+      {{"kind", "places"}, {"arm", arm_of(verification)}, {"places", places}},
+      true};
+}
+
+}  // namespace artcal

@@ -1,0 +1,39 @@
+// Draws every figure of the page, one after the other so that the first is seen early.
+(async () => {
+  const config = {displaylogo: false, responsive: true, modeBarButtonsToRemove: ['select2d', 'lasso2d', 'sendDataToCloud']};
+
+  // What is drawn by WebGL may be gone when the page is printed: an image of it lies behind.
+  function keepForPaper(place) {
+    const container = place.querySelector('.gl-container');
+    const scene = place._fullLayout?.scene?._scene;
+    if (!container || !scene) {
+      return;
+    }
+    container.querySelector('img')?.remove();
+    const image = document.createElement('img');
+    image.src = scene.toImage('png');
+    image.alt = '';
+    image.className = 'on-paper';
+    container.append(image);
+  }
+
+  async function draw(figure) {
+    const place = document.getElementById(figure.id);
+    const {traces, layout: made, height} = KINDS[figure.kind](figure);
+    if (height) {
+      place.style.height = `${height}px`;
+    }
+    place.replaceChildren();
+    await Plotly.newPlot(place, traces, made, config);
+    if (made.scene) {
+      keepForPaper(place);
+      window.addEventListener('beforeprint', () => keepForPaper(place));
+    }
+  }
+
+  for (const figure of JSON.parse(document.getElementById('data').textContent).figures) {
+    await draw(figure);
+    await new Promise((resolve) => { setTimeout(resolve, 0); });
+  }
+  document.documentElement.dataset.drawn = 'all';
+})();

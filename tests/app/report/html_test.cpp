@@ -1,0 +1,45 @@
+#include "app/report/html.h"
+
+#include <gmock/gmock.h>
+
+namespace artcal {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(HtmlText, MarkupStaysText) {
+  EXPECT_EQ(html::text("<script>alert('1 & \"2\"')</script>"),
+            "&lt;script&gt;alert(&#39;1 &amp; &quot;2&quot;&#39;)&lt;/script&gt;");
+  EXPECT_EQ(html::text("Ø 25 µm"), "Ø 25 µm");
+}
+
+TEST(HtmlText, NothingInItIsObeyed) {
+  EXPECT_EQ(html::text("a\x1b[2Jb"), "a?[2Jb");
+  EXPECT_THAT(html::text("a\u202Egnp.exe"), Not(HasSubstr("\u202E")));
+}
+
+TEST(HtmlText, AVeryLongOneIsCut) { EXPECT_LT(html::text(std::string(1'000'000, 'x')).size(), 5000u); }
+
+TEST(HtmlData, NothingInItEndsTheScript) {
+  const std::string written = html::data({{"name", "</script><!-- <script> ]]> & \u2028"}, {"value", 0.1}});
+  for (const char* mark : {"<", ">", "&", "\u2028"}) {
+    EXPECT_THAT(written, Not(HasSubstr(mark)));
+  }
+  const auto read = nlohmann::json::parse(written);
+  EXPECT_EQ(read["name"], "</script><!-- <script> ]]> & \u2028");
+  EXPECT_EQ(read["value"], 0.1);
+}
+
+TEST(HtmlTable, HasACaptionAHeadAndNamesItsRows) {
+  html::Table table("Values & limits", {{"name", false, true}, {"value"}});
+  EXPECT_TRUE(table.empty());
+  table.add({"<b>A</b>", "1.5"});
+  const std::string markup = table.markup();
+  EXPECT_THAT(markup, HasSubstr("<caption>Values &amp; limits</caption>"));
+  EXPECT_THAT(markup, HasSubstr("<thead><tr><th scope=\"col\">name</th><th scope=\"col\" class=\"number\">value</th>"));
+  EXPECT_THAT(markup, HasSubstr("<th scope=\"row\">&lt;b&gt;A&lt;/b&gt;</th><td class=\"number\">1.5</td>"));
+}
+
+}  // namespace
+}  // namespace artcal

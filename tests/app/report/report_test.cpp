@@ -1,0 +1,113 @@
+// Reports of results that are not what they should be: refused or written, never a crash.
+#include "app/report/report.h"
+
+#include <algorithm>
+#include <regex>
+#include <utility>
+
+#include <gmock/gmock.h>
+
+#include "acquisition/recording_file.h"
+#include "app/readings_json.h"
+#include "app/result_json.h"
+#include "artefacts/constraint.h"
+#include "identification/identify.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Json identified() {
+  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml").value();
+  const auto constraints = read_constraints(recording).value();
+  IdentifyOptions options;
+  options.leave_out = false;
+  const auto result = identify(recording, constraints, options).value();
+  Json json = to_json(recording, constraints, options, result, {});
+  json["residuals"] = residuals_json(recording, constraints, result);
+  return json;
+}
+
+class ReportOfIdentification : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    whole_ = identified();
+    for (Json& column : whole_["residuals"]) {  // a few readings are enough
+      if (column[0].is_array()) {
+        std::for_each(column.begin(), column.end(), [](Json& inner) { inner = first_of(inner); });
+      } else {
+        column = first_of(column);
+      }
+    }
+  }
+  static Json first_of(const Json& list) { return Json(std::vector<Json>(list.begin(), list.begin() + 20)); }
+
+  static inline Json whole_;
+};
+
+TEST_F(ReportOfIdentification, IsWritten) {
+  const auto page = report_html({reported(whole_)});
+  ASSERT_TRUE(page);
+  EXPECT_THAT(*page, HasSubstr("<h1>Calibration report: Franka Emika Panda</h1>"));
+}
+
+TEST_F(ReportOfIdentification, IsRefusedOrWrittenWhateverIsDamaged) {
+  const Json flat = whole_.flatten();
+  Json damaged = whole_;
+  int damages = 0;
+  for (const auto& [pointer, value] : flat.items()) {
+    // Of each list the first element is enough.
+    if (std::regex_search(pointer, std::regex("/[1-9]\\d*(/|$)"))) {
+      continue;
+    }
+    for (const Json& other : {Json(), Json("text"), Json(-7), Json::array()}) {
+      Json& place = damaged[Json::json_pointer(pointer)];
+      const Json before = std::exchange(place, other);
+      const auto page = report_html({{ResultKind::Identification, damaged, "result.json"}});
+      EXPECT_TRUE(page || page.error().code == ErrorCode::BadInput) << pointer;
+      place = before;
+      ++damages;
+    }
+  }
+  EXPECT_GT(damages, 400);
+}
+
+TEST_F(ReportOfIdentification, IsRefusedWhereColumnsDiffer) {
+  for (const char* column : {"feature", "before_mm", "after_mm"}) {
+    Json damaged = whole_;
+    damaged["residuals"][column].erase(0);
+    EXPECT_FALSE(report_html({reported(damaged)})) << column;
+  }
+  Json damaged = whole_;
+  damaged["residuals"]["feature"][0] = 1'000'000;
+  EXPECT_FALSE(report_html({reported(damaged)}));
+}
+
+TEST_F(ReportOfIdentification, OfTwoArmsIsRefused) {
+  Json other = whole_;
+  other["arm"] = "another";
+  const auto page = report_html({reported(whole_), reported(other)});
+  ASSERT_FALSE(page);
+  EXPECT_EQ(page.error().code, ErrorCode::Usage);
+  EXPECT_THAT(page.error().message, HasSubstr("another"));
+}
+
+TEST_F(ReportOfIdentification, ShowsWhatIsStated) {
+  Json result = whole_;
+  result["date"] = "2026-03-10";
+  result["temperature"] = {{"lowest_C", 19.5}, {"highest_C", 21.25}};
+  result["artefacts"][0]["certificate"] = {
+      {"number", "K-17"}, {"laboratory", "Lab & Co"}, {"date", "2026-01-02"}, {"valid_until", nullptr}};
+  result["warnings"] = {"the <bar> is warm"};
+  const std::string page = report_html({reported(result)}).value();
+  for (const char* shown : {"2026-03-10", "19.50 °C to 21.25 °C", "K-17", "Lab &amp; Co", "2026-01-02",
+                            "the &lt;bar&gt; is warm", "Identified, with reservations"}) {
+    EXPECT_THAT(page, HasSubstr(shown));
+  }
+}
+
+}  // namespace
+}  // namespace artcal

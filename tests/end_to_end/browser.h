@@ -1,0 +1,62 @@
+#pragma once
+
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/end_to_end/program.h"
+
+namespace artcal::testing {
+
+/// What a browser made of a page.
+struct Opened {
+  std::string document;                 ///< after every script has run
+  std::vector<std::string> complaints;  ///< of its console
+};
+
+/// Pages in a Chromium without a window. Nothing of it stays: its profile is in the test's own folder.
+class BrowserTest : public ProgramTest {
+ protected:
+  /// REQUIRES: Chromium is installed (cmake/packages.txt).
+  [[nodiscard]] Opened open(const std::string& page) const {
+    const Ended ended = chromium({"--dump-dom"}, page);
+    Opened opened{ended.out, {}};
+    // What it says of its own speed is no complaint about the page.
+    static const std::regex own("Canvas2D: Multiple readback|GL Driver Message");
+    static const std::regex console("CONSOLE[:(].*");
+    for (auto line = std::sregex_iterator(ended.err.begin(), ended.err.end(), console); line != std::sregex_iterator();
+         ++line) {
+      if (!std::regex_search(line->str(), own)) {
+        opened.complaints.push_back(line->str());
+      }
+    }
+    return opened;
+  }
+
+  /// Prints a page and returns pdfinfo's words about the PDF.
+  [[nodiscard]] std::string print(const std::string& page) const {
+    const std::string pdf = file("printed.pdf").string();
+    const Ended ended = chromium({"--no-pdf-header-footer", "--print-to-pdf=" + pdf}, page);
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return run_command({"pdfinfo", pdf}).out;
+  }
+  /// The text on the pages of the PDF that was printed last.
+  [[nodiscard]] std::string printed_text() const {
+    return run_command({"pdftotext", "-layout", file("printed.pdf").string(), "-"}).out;
+  }
+
+ private:
+  [[nodiscard]] Ended chromium(std::vector<std::string> arguments, const std::string& page) const {
+    arguments.insert(arguments.begin(),
+                     {"timeout", "120", "chromium", "--headless", "--no-sandbox", "--disable-dev-shm-usage",
+                      "--enable-unsafe-swiftshader", "--host-resolver-rules=MAP * ~NOTFOUND", "--hide-scrollbars",
+                      "--window-size=900,1200", "--virtual-time-budget=20000", "--enable-logging=stderr",
+                      "--user-data-dir=" + folder("browser").string()});
+    arguments.push_back("file://" + file(page).string());
+    return run_command(arguments);
+  }
+};
+
+}  // namespace artcal::testing

@@ -1,0 +1,146 @@
+// Reports as a reader meets them: in a browser and on paper.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/browser.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::json;
+using testing::Ended;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::Opened;
+using ::testing::SizeIs;
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size())) {
+    ++found;
+  }
+  return found;
+}
+
+class Report : public testing::BrowserTest {
+ protected:
+  void identify(const std::string& example, const std::vector<std::string>& more = {}) const {
+    take(example);
+    std::vector<std::string> command{"identify", example + "/recording.toml", "--json", "result.json", "--quiet"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Ended ended = run(command);
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  }
+  void report() const {
+    const Ended ended = run({"report", "result.json", "-o", "report.html"});
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  }
+};
+
+TEST_F(Report, OfAnIdentificationOpensWithoutComplaintAndDrawsEveryFigure) {
+  identify("ball-bar");
+  report();
+  EXPECT_LT(text_of("report.html").size(), 6u << 20);
+  const Opened opened = open("report.html");
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
+  EXPECT_GE(count(opened.document, "class=\"main-svg\""), 5u);
+  EXPECT_EQ(count(opened.document, "<figcaption"), 5u);
+  EXPECT_EQ(count(opened.document, "role=\"img\" aria-label=\""), 5u);
+}
+
+TEST_F(Report, HasTheNumbersOfTheResult) {
+  identify("ball-bar");
+  report();
+  const Json result = Json::parse(text_of("result.json"));
+  const std::string page = text_of("report.html");
+  const auto shows = [&](const Json& value, const char* format) {
+    EXPECT_THAT(page, HasSubstr(fmt::format(fmt::runtime(format), value.get<double>())));
+  };
+  shows(result["before"]["overall"]["rms_mm"], ">{:.4f}<");
+  shows(result["after"]["overall"]["rms_mm"], ">{:.4f}<");
+  shows(result["after"]["overall"]["maximum_mm"], ">{:.4f}<");
+  for (const Json& length : result["after"]["lengths"]) {
+    shows(length["error_mm"], ">{:+.4f}<");
+  }
+  for (const Json& parameter : result["parameters"]) {
+    if (parameter["unit"] == "mm") {
+      shows(parameter["identified"], ">{:.5f}<");
+    }
+  }
+  for (const Json& lost : result["coupling"]["lost"]) {
+    EXPECT_THAT(page, HasSubstr(lost["text"].get<std::string>()));
+  }
+  for (const Json& input : result["inputs"]) {
+    EXPECT_THAT(page, HasSubstr(input["sha256"].get<std::string>()));
+  }
+}
+
+TEST_F(Report, PrintsOnA4) {
+  identify("two-socket-bar");
+  report();
+  const std::string about = print("report.html");
+  EXPECT_THAT(about, HasSubstr("(A4)"));
+  std::smatch pages;
+  ASSERT_TRUE(std::regex_search(about, pages, std::regex("Pages: +(\\d+)"))) << about;
+  EXPECT_GE(std::stoi(pages[1]), 5);
+  EXPECT_LE(std::stoi(pages[1]), 10);
+  const std::string text = printed_text();
+  EXPECT_THAT(text, HasSubstr("Identified, with reservations"));
+  EXPECT_THAT(text, HasSubstr("lz + d7 can be told, d7 alone cannot; d7 is held"));
+  EXPECT_THAT(text, HasSubstr("1/" + pages[1].str()));
+}
+
+TEST_F(Report, OfHostileNamesShowsThemAsText) {
+  take("ball-bar");
+  const std::string evil = "</script><script>document.title='owned'</script><img src=x onerror=alert(1)>";
+  for (const char* name : {"recording.toml", "arm.toml", "bar.toml"}) {
+    const std::string path = std::string("ball-bar/") + name;
+    const std::string text = text_of(path);
+    write(path, std::regex_replace(text, std::regex("(^|\n)name = \"[^\"]*\""), "$1name = \"" + evil + "\"",
+                                   std::regex_constants::format_first_only));
+  }
+  write("ball-bar/readings.csv",
+        std::regex_replace(text_of("ball-bar/readings.csv"), std::regex("\n0,"), "\n<b>0</b>,"));
+  const Ended ended = run({"identify", "ball-bar/recording.toml", "--json", "result.json", "--quiet"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  report();
+  EXPECT_THAT(text_of("report.html"), Not(HasSubstr("<script>document.title")));
+  const Opened opened = open("report.html");
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, Not(HasSubstr("<img src=\"x\"")));
+  EXPECT_THAT(opened.document, Not(HasSubstr("<title>owned")));
+  EXPECT_THAT(opened.document, HasSubstr("&lt;/script&gt;&lt;script&gt;document.title"));
+  EXPECT_THAT(opened.document, HasSubstr(">&lt;b&gt;0&lt;/b&gt;</text>"));  // Plotly has markup of its own
+}
+
+TEST_F(Report, WithoutReadingsSaysSo) {
+  identify("two-socket-bar", {"--no-residuals", "--no-leave-out"});
+  report();
+  EXPECT_THAT(text_of("report.html"), HasSubstr("its readings cannot be drawn"));
+}
+
+TEST_F(Report, RefusesWhatIsNoResult) {
+  const auto refusal = [&](const std::string& text) {
+    write("result.json", text);
+    const Ended ended = run({"report", "result.json", "-o", "report.html"});
+    EXPECT_EQ(ended.exit_code, 3);
+    EXPECT_FALSE(std::filesystem::exists(file("report.html")));
+    return ended.err;
+  };
+  EXPECT_THAT(refusal("<html>"), HasSubstr("result.json: this is no result of artcal"));
+  EXPECT_THAT(refusal("[1, 2"), HasSubstr("no result of artcal"));
+  EXPECT_THAT(refusal("{\"kind\": \"fit\", \"schema_version\": 1}"), HasSubstr("a result of kind \"fit\""));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 2}"), HasSubstr("schema_version"));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1}"), HasSubstr("lacks"));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1, \"arm\": 7}"), HasSubstr("lacks"));
+}
+
+TEST_F(Report, NeverOverwritesTheResult) {
+  identify("two-socket-bar", {"--no-leave-out"});
+  EXPECT_EQ(run({"report", "result.json", "-o", "result.json"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace artcal
