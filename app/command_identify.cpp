@@ -8,6 +8,7 @@
 #include "app/command.h"
 #include "app/dcc_identification.h"
 #include "app/dcc_request.h"
+#include "app/identification_report.h"
 #include "app/output.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
@@ -24,6 +25,7 @@ struct Request {
   std::string recording;
   std::string arm_out;
   DccRequest dcc;
+  std::string report;
   std::vector<std::string> hold, free;
   std::string loss;
   std::string noise, encoder_noise, probing_noise;
@@ -110,7 +112,8 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc.out}, recording->inputs);
+  if (auto checked =
+          check_outputs({request.arm_out, request.common.json, request.dcc.out, request.report}, recording->inputs);
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -133,10 +136,14 @@ Expected<int> identify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (!request.common.json.empty()) {
+  if (!request.common.json.empty() || !request.report.empty()) {
     auto json = to_json(*recording, *constraints, *options, *result, timings);
-    if (!request.no_residuals) {
-      json["residuals"] = residuals_json(*recording, *constraints, *result);
+    json["residuals"] = residuals_json(*recording, *constraints, *result);
+    if (auto written = write_identification_report(request.report, json, *recording, *options, *result); !written) {
+      return tl::unexpected(written.error());
+    }
+    if (request.no_residuals) {
+      json.erase("residuals");
     }
     if (auto written = write_json(request.common.json, json); !written) {
       return tl::unexpected(written.error());
@@ -156,6 +163,7 @@ Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
+  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
   request->dcc.add_to(parser);
   parser.add_option("--hold", request->hold, "parameters to keep at their nominal value, such as l,a1")
       ->delimiter(',')

@@ -10,6 +10,7 @@
 #include "app/dcc_request.h"
 #include "app/dcc_verification.h"
 #include "app/output.h"
+#include "app/report/report.h"
 #include "app/verification_json.h"
 #include "app/verification_text.h"
 #include "artefacts/verification/specification_file.h"
@@ -22,7 +23,7 @@ constexpr int conformity_not_shown = 1;
 
 struct Request {
   CommonOptions common;
-  std::string recording, standard, arm, specification, against;
+  std::string recording, standard, arm, specification, against, report;
   DccRequest dcc;
   bool all = false;
 };
@@ -134,7 +135,8 @@ Expected<int> verify_and_tell(const Request& request) {
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.common.json, request.dcc.out}, material->recording.inputs); !checked) {
+  if (auto checked = check_outputs({request.common.json, request.dcc.out, request.report}, material->recording.inputs);
+      !checked) {
     return tl::unexpected(checked.error());
   }
   const Session session{material->recording, material->constraints, material->arm(), material->tips,
@@ -147,7 +149,16 @@ Expected<int> verify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (auto written = write_json(request.common.json, to_json(session, *result)); !written) {
+  const auto json = to_json(session, *result);
+  if (!request.report.empty()) {
+    const auto written = report_html({reported(json)}).and_then([&](const std::string& page) {
+      return write_file(request.report, page);
+    });
+    if (!written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  if (auto written = write_json(request.common.json, json); !written) {
     return tl::unexpected(written.error());
   }
   if (request.common.talks()) {
@@ -172,6 +183,7 @@ Run set_up_verify(CLI::App& parser) {
       .add_option("--against", request->against,
                   "interim check: a JSON result of an earlier verification to hold a few values against")
       ->type_name("FILE");
+  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
   request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");
   request->common.add_to(parser);

@@ -8,6 +8,7 @@ namespace artcal::html {
 namespace {
 
 constexpr std::size_t longest = 4000;
+constexpr std::size_t most_of_a_short_table = 12;
 
 }  // namespace
 
@@ -63,6 +64,7 @@ void Table::add_markup(const std::vector<std::string>& cells, std::string_view r
                                : fmt::format("<td{}>{}</td>", number, cells[i]);
   }
   rows_ += "</tr>\n";
+  ++count_;
 }
 
 std::string Table::markup(std::string_view attributes) const {
@@ -72,9 +74,10 @@ std::string Table::markup(std::string_view attributes) const {
         fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
   }
   return fmt::format(
-      "<div class=\"table\"><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table>"
-      "</div>\n",
-      attributes.empty() ? "" : " ", attributes, caption_, head, rows_);
+      "<div class=\"table{}\"><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
+      "</table></div>\n",
+      count_ <= most_of_a_short_table ? " short" : "", attributes.empty() ? "" : " ", attributes, caption_, head,
+      rows_);
 }
 
 }  // namespace artcal::html

@@ -26,7 +26,7 @@ struct Column {
   bool is_heading = false;  ///< its cells name their rows
 };
 
-/// A table whose head is repeated on each page of paper.
+/// A table whose head is repeated on each page of paper; a short one stays on one page.
 class Table {
  public:
   Table(std::string_view caption, std::vector<Column> columns);
@@ -41,6 +41,7 @@ class Table {
   std::string caption_;
   std::vector<Column> columns_;
   std::string rows_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace artcal::html

@@ -212,12 +212,12 @@ void write_identification(const Json& result, Sheet& sheet) {
   const bool has_readings = result.contains("residuals");
   const ReportedReadings readings = has_readings ? readings_in(result) : ReportedReadings();
   write_before_and_after(result, sheet);
+  write_placements(result, sheet);
   if (has_readings) {
     sheet.figure(residuals_by_placement(result, readings));
   } else {
     sheet.note("This result was written with --no-residuals: its readings cannot be drawn.");
   }
-  write_placements(result, sheet);
   write_outliers(result.at("outliers"), sheet);
   if (has_readings) {
     sheet.figure(scene_of(result, readings));

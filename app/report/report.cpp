@@ -1,14 +1,17 @@
 #include "app/report/report.h"
 
+#include <algorithm>
 #include <exception>
 
 #include <fmt/format.h>
 
+#include "app/report/drift.h"
 #include "app/report/identification_section.h"
 #include "app/report/numbers.h"
 #include "app/report/page.h"
 #include "app/report/provenance.h"
-#include "app/version.h"
+#include "app/report/uncertainty_section.h"
+#include "app/report/verification_section.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -19,13 +22,44 @@ using Json = nlohmann::ordered_json;
 std::string arm_of(const ReportedResult& result) { return result.json.at("arm").get<std::string>(); }
 
 std::string heading_of(const ReportedResult& result) {
-  return fmt::format("Identification: {}", numbers::shown(numbers::text_in(result.json, "recording")));
+  const std::string name = numbers::shown(numbers::text_in(result.json, "recording"));
+  switch (result.kind) {
+    case ResultKind::Identification: return "Identification: " + name;
+    case ResultKind::Verification: return "Verification: " + name;
+    case ResultKind::Uncertainty: break;
+  }
+  return "What the identified arm measures like";
+}
+
+bool has_verdict(const ReportedResult& result) { return result.kind != ResultKind::Uncertainty; }
+
+void write_verdict(const ReportedResult& result, Sheet& sheet) {
+  if (result.kind == ResultKind::Identification) {
+    write_identification_verdict(result.json, sheet);
+  } else if (result.kind == ResultKind::Verification) {
+    write_verification_verdict(result.json, sheet);
+  }
 }
 
 void write_result(const ReportedResult& result, Sheet& sheet) {
   sheet.section(heading_of(result));
-  write_circumstances(result.json, sheet);
-  write_identification(result.json, sheet);
+  switch (result.kind) {
+    case ResultKind::Identification:
+      write_circumstances(result.json, sheet);
+      write_identification(result.json, sheet);
+      break;
+    case ResultKind::Verification:
+      write_circumstances(result.json, sheet);
+      write_verification(result.json, sheet);
+      break;
+    case ResultKind::Uncertainty: write_uncertainty(result.json, sheet); break;
+  }
+}
+
+// A verdict alone says too little where there are several.
+std::string told_apart(const ReportedResult& result) {
+  const std::string date = numbers::text_in(result.json, "date");
+  return heading_of(result) + (date.empty() ? "" : ", " + numbers::shown(date));
 }
 
 }  // namespace
@@ -36,6 +70,7 @@ Expected<std::string> report_html(const std::vector<ReportedResult>& results) {
     Sheet sheet;
     const std::string title = fmt::format("Calibration report: {}", numbers::shown(arm_of(results.front())));
     sheet.title(title);
+    const auto judged = std::count_if(results.begin(), results.end(), has_verdict);
     for (const ReportedResult& result : results) {
       current = &result;
       if (arm_of(result) != arm_of(results.front())) {
@@ -43,12 +78,17 @@ Expected<std::string> report_html(const std::vector<ReportedResult>& results) {
                                        in_quotes(results.front().path), in_quotes(arm_of(results.front())),
                                        in_quotes(result.path), in_quotes(arm_of(result))));
       }
-      write_identification_verdict(result.json, sheet);
+      if (judged > 1 && has_verdict(result)) {
+        sheet.part(told_apart(result));
+      }
+      write_verdict(result, sheet);
     }
     for (const ReportedResult& result : results) {
       current = &result;
       write_result(result, sheet);
     }
+    current = nullptr;
+    write_drift(results, sheet);
     write_provenance(results, sheet);
     const std::string body = html::element("main", sheet.markup());
     return page_html({title, body, Json{{"figures", sheet.figures()}}, Scripts::Plots});

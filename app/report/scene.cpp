@@ -21,7 +21,7 @@ using namespace numbers;
 constexpr int most_vectors = 1200;
 constexpr std::size_t most_in_a_line = 8;  // features of a bar; those of a plate stay dots
 // Of the scene's size: the rms of the errors, and the longest.
-constexpr double rms_drawn = 0.04, longest_drawn = 0.25;
+constexpr double rms_drawn = 0.03, longest_drawn = 0.25;
 
 /// Points as a picture takes them: x, y, z; a gap ends a line.
 class Points {
@@ -161,12 +161,13 @@ Figure scene_of_verification(const Json& verification) {
   for (const auto& [verdict, points] : by_verdict) {
     places.push_back({{"verdict", verdict}, {"points", points.json()}, {"names", names[verdict]}});
   }
-  return {
-      "The arm and the places where it was tested",
-      "Dots: conforms; crosses: does not conform; diamonds: nothing proven; open circles: not judged. The arm stands "
-      "in the posture of one reading. Drag to turn.",
-      {{"kind", "places"}, {"arm", arm_of(verification)}, {"places", places}},
-      true};
+  return {"Where the arm was tested",
+          fmt::format(
+              "Dots: conforms; crosses: does not conform; diamonds: nothing proven; open circles: not judged.{} Drag "
+              "to turn.",
+              verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
+          {{"kind", "places"}, {"arm", arm_of(verification)}, {"places", places}},
+          true};
 }
 
 }  // namespace artcal

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "app/report/batch_index.h"
 #include "tests/end_to_end/browser.h"
 
 namespace artcal {
@@ -113,6 +114,69 @@ TEST_F(Report, OfHostileNamesShowsThemAsText) {
   EXPECT_THAT(opened.document, Not(HasSubstr("<title>owned")));
   EXPECT_THAT(opened.document, HasSubstr("&lt;/script&gt;&lt;script&gt;document.title"));
   EXPECT_THAT(opened.document, HasSubstr(">&lt;b&gt;0&lt;/b&gt;</text>"));  // Plotly has markup of its own
+}
+
+TEST_F(Report, OfAVerificationShowsVerdictAndValues) {
+  take("sphere-plate");
+  const Ended ended = run({"verify", "sphere-plate/recording.toml", "--standard", "sphere-plate", "--json",
+                           "result.json", "--report", "report.html", "--quiet"});
+  EXPECT_EQ(ended.exit_code, 1) << ended.err;
+  const std::string page = text_of("report.html");
+  EXPECT_THAT(page, HasSubstr("Non-conformity shown"));
+  EXPECT_THAT(page, HasSubstr("600 values, 578 conform, 10 do not, 12 prove nothing either way."));
+  EXPECT_EQ(count(page, "stands out</td>"), 2u);  // the ball that is 10 um off, in both placements
+  for (const Json& value : Json::parse(text_of("result.json"))["values"]) {
+    if (value["verdict"] == "does_not_conform") {
+      EXPECT_THAT(page, HasSubstr(fmt::format(">{:+.1f}<", 1000.0 * value["value_mm"].get<double>())));
+    }
+  }
+  const Opened opened = open("report.html");
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
+  EXPECT_EQ(count(opened.document, "role=\"img\" aria-label=\""), 2u);
+  EXPECT_THAT(opened.document, HasSubstr("limit of E_Uni"));
+}
+
+TEST_F(Report, IsTheSameFromTheProgramAndFromItsResult) {
+  take("iso10360-12");
+  ASSERT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json", "result.json",
+                 "--report", "at-once.html", "--quiet"})
+                .exit_code,
+            0);
+  report();
+  EXPECT_TRUE(text_of("at-once.html") == text_of("report.html"));
+}
+
+TEST_F(Report, OfSeveralResultsShowsTheMapAndWhatChanged) {
+  identify("ball-bar", {"-o", "arm.toml", "--report", "at-once.html"});
+  ASSERT_EQ(run({"uncertainty", "arm.toml", "--json", "map.json", "--quiet"}).exit_code, 0);
+  ASSERT_EQ(run({"report", "result.json", "result.json", "map.json", "-o", "report.html"}).exit_code, 0);
+  const Opened opened = open("report.html");
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
+  EXPECT_THAT(opened.document, HasSubstr("Standard uncertainty of a point over the working volume"));
+  EXPECT_THAT(opened.document, HasSubstr("Drift of the parameters"));
+  EXPECT_THAT(opened.document, HasSubstr("are of the same recording"));
+  // The page that identify itself writes has the map too.
+  EXPECT_THAT(text_of("at-once.html"), HasSubstr("Standard uncertainty of a point over the working volume"));
+}
+
+TEST_F(Report, OfABatchIsSortedByAClick) {
+  std::vector<IndexRow> rows(3);
+  rows[0].recording = "ten", rows[0].rms_after = 10.0;
+  rows[1].recording = "nine", rows[1].rms_after = 9.5;
+  rows[2].recording = "none";
+  const std::string page = index_html("Night", rows);
+  write("index.html", page);
+  EXPECT_THAT(open("index.html").complaints, IsEmpty());
+  // The page's policy runs no script of ours: here it is taken out, and a click is put in.
+  std::string clicked = std::regex_replace(page, std::regex("<meta http-equiv[^>]*>"), "");
+  clicked.insert(clicked.find("</body>"), "<script>document.querySelectorAll('th button')[6].click()</script>");
+  write("clicked.html", clicked);
+  const std::string document = open("clicked.html").document;
+  EXPECT_THAT(document, HasSubstr("aria-sort=\"ascending\""));
+  EXPECT_LT(document.find(">nine<"), document.find(">ten<"));
+  EXPECT_LT(document.find(">ten<"), document.find(">none<"));
 }
 
 TEST_F(Report, WithoutReadingsSaysSo) {

@@ -1,4 +1,6 @@
 // Errors over length; `band` holds the limits of a specification, `series` differ in mark.
+const SYMBOLS = {does_not_conform: 'x', nothing_proven: 'diamond-open'};
+
 KINDS.lengths = (figure) => {
   const colours = [COLOURS.blue, COLOURS.orange, COLOURS.green, COLOURS.red, COLOURS.grey];
   const bands = (figure.bands || []).flatMap((band) => [1, -1].map((side) => ({
@@ -8,7 +10,14 @@ KINDS.lengths = (figure) => {
   const series = figure.series.filter((one) => one.y.some((y) => y !== null)).map((one, index) => dots(one.x, one.y, {
     name: plain(one.name),
     text: (one.names || figure.names).map(plain),
-    marker: {size: 8, symbol: one.symbol, color: colours[index % colours.length], line: {width: 1.4}},
+    marker: {
+      size: one.x.length > 150 ? 6 : 8,
+      symbol: (one.verdicts || []).length ? one.verdicts.map((verdict) => SYMBOLS[verdict] || one.symbol) : one.symbol,
+      color: (one.verdicts || []).length
+        ? one.verdicts.map((verdict) => (verdict === 'does_not_conform' ? COLOURS.red : colours[index % colours.length]))
+        : colours[index % colours.length],
+      line: {width: 1.4},
+    },
     hovertemplate: `%{text}<br>%{x} mm: %{y} ${figure.unit}<extra>%{fullData.name}</extra>`,
   }));
   return {

@@ -30,9 +30,9 @@ KINDS.scene = (figure) => ({
 });
 
 const VERDICTS = {
-  conforms: {name: '✓ conforms', symbol: 'circle', color: COLOURS.green, size: 4},
-  does_not_conform: {name: '✗ does not conform', symbol: 'x', color: COLOURS.red, size: 5},
-  nothing_proven: {name: '? nothing proven', symbol: 'diamond', color: COLOURS.orange, size: 5},
+  conforms: {name: '✓ conforms', symbol: 'circle', color: COLOURS.green, size: 3},
+  does_not_conform: {name: '✗ does not conform', symbol: 'x', color: COLOURS.red, size: 3.5},
+  nothing_proven: {name: '? nothing proven', symbol: 'diamond', color: COLOURS.orange, size: 4},
   not_judged: {name: 'not judged', symbol: 'circle-open', color: COLOURS.grey, size: 4},
 };
 

@@ -1,0 +1,40 @@
+#include "app/identification_report.h"
+
+#include "app/output.h"
+#include "app/report/report.h"
+#include "app/uncertainty_result.h"
+
+namespace artcal {
+namespace {
+
+nlohmann::ordered_json expected_uncertainty(const Recording& recording, const IdentifyOptions& options,
+                                            const Identification& result) {
+  UncertaintySources sources;
+  for (const int index : result.free) {
+    sources.parameters.push_back(result.parameters[index].parameter);
+  }
+  sources.covariance = result.covariance;
+  sources.encoder = result.enlargement * options.noise.encoder.value_or(0.0);
+  sources.probing = result.enlargement * options.noise.probing.value_or(result.noise);
+  const VolumeSampling sampling;
+  const UncertainArm arm(result.arm, sources);
+  return to_json(
+      SurveyResult{{result.arm, std::nullopt, recording.inputs.front()}, sources, 0, sampling, survey(arm, sampling)});
+}
+
+}  // namespace
+
+Expected<void> write_identification_report(const std::string& path, const nlohmann::ordered_json& json,
+                                           const Recording& recording, const IdentifyOptions& options,
+                                           const Identification& result) {
+  if (path.empty()) {
+    return {};
+  }
+  std::vector<ReportedResult> results{reported(json)};
+  if (!result.free.empty()) {
+    results.push_back(reported(expected_uncertainty(recording, options, result)));
+  }
+  return report_html(results).and_then([&](const std::string& page) { return write_file(path, page); });
+}
+
+}  // namespace artcal

@@ -1,0 +1,238 @@
+#include "app/report/drift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <boost/math/distributions/normal.hpp>
+
+#include "app/report/numbers.h"
+#include "app/report/test_values.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Results = std::vector<const Json*>;
+using namespace numbers;
+
+constexpr std::size_t most_drawn = 6;
+
+/// Of several results, in order of their dates.
+struct Times {
+  Json labels = Json::array();
+  bool dated = true;
+};
+
+Results of_kind(const std::vector<ReportedResult>& results, ResultKind kind) {
+  Results found;
+  for (const ReportedResult& result : results) {
+    if (result.kind == kind) {
+      found.push_back(&result.json);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Json* a, const Json* b) { return text_in(*a, "date") < text_in(*b, "date"); });
+  return found;
+}
+
+// Dates where all are stated and differ; else the results' numbers.
+Times times_of(const Results& results) {
+  Times times;
+  std::string last;
+  for (const Json* result : results) {
+    const std::string date = text_in(*result, "date");
+    times.dated = times.dated && !date.empty() && date != last;
+    last = date;
+  }
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    times.labels.push_back(times.dated ? text_in(*results[i], "date") : fmt::format("result {}", i + 1));
+  }
+  return times;
+}
+
+const Json& parameter_named(const Json& result, const std::string& name) {
+  const Json& parameters = result.at("parameters");
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Json& parameter) { return parameter.at("name") == name; });
+  if (found == parameters.end()) {
+    throw std::out_of_range("a parameter of the covariance is not among the parameters");
+  }
+  return *found;
+}
+
+/// One parameter over time.
+struct Track {
+  std::string name;
+  bool is_angle = false;
+  std::vector<double> values, u;  ///< mm or rad
+
+  [[nodiscard]] double change(std::size_t i) const { return values[i] - values.front(); }
+  // The results are independent of one another.
+  [[nodiscard]] double u_of_change(std::size_t i) const { return std::hypot(u[i], u.front()); }
+  [[nodiscard]] double standardised() const { return std::abs(change(u.size() - 1)) / u_of_change(u.size() - 1); }
+};
+
+std::vector<Track> tracks_of(const Results& results) {
+  std::vector<Track> tracks;
+  for (const Json& name : results.front()->at("covariance").at("parameters")) {
+    Track track{name, parameter_named(*results.front(), name).at("unit") == "rad", {}, {}};
+    for (const Json* result : results) {
+      const Json& parameter = parameter_named(*result, track.name);
+      track.values.push_back(parameter.at("identified"));
+      track.u.push_back(parameter.at("standard_uncertainty"));
+    }
+    tracks.push_back(std::move(track));
+  }
+  return tracks;
+}
+
+// Beyond this many u one of so many sound changes lies once in twenty comparisons.
+double coverage_of(std::size_t count) {
+  return boost::math::quantile(boost::math::normal(),
+                               1.0 - 0.025 / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+Figure drift_figure(std::vector<Track> tracks, const Times& times, double reach) {
+  std::stable_sort(tracks.begin(), tracks.end(),
+                   [](const Track& a, const Track& b) { return a.standardised() > b.standardised(); });
+  tracks.resize(std::min(tracks.size(), most_drawn));
+  Json series = Json::array();
+  for (const Track& track : tracks) {
+    const double scale = (track.is_angle ? reach : 1.0) / units::micrometre;
+    Json y = Json::array(), bars = Json::array();
+    for (std::size_t i = 0; i < track.values.size(); ++i) {
+      y.push_back(drawn(scale * track.change(i)));
+      bars.push_back(i == 0 ? Json(0.0) : drawn(2.0 * scale * track.u_of_change(i)));
+    }
+    series.push_back({{"name", track.name}, {"x", times.labels}, {"y", y}, {"bars", bars}});
+  }
+  return {
+      "Drift of the parameters since the first identification",
+      fmt::format("The {} that changed most against their uncertainty. Angles by what they move the tip at full reach "
+                  "({:.0f} mm); bars are twice the standard uncertainty of the change.",
+                  plural(tracks.size(), "parameter"), reach),
+      {{"kind", "drift"}, {"quantity", "change"}, {"unit", "µm"}, {"dated", times.dated}, {"series", series}}};
+}
+
+bool share_a_recording(const Results& results) {
+  std::set<Json> recordings;
+  for (const Json* result : results) {
+    recordings.insert(result->at("inputs").at(0).at("sha256"));
+  }
+  return recordings.size() < results.size();
+}
+
+void write_parameters(const Results& results, Sheet& sheet) {
+  sheet.part("Parameters");
+  if (share_a_recording(results)) {
+    sheet.note(
+        "⚠ Some of these results are of the same recording. They are not independent: u of a change is too large.");
+  }
+  const Json& names = results.front()->at("covariance").at("parameters");
+  if (std::any_of(results.begin(), results.end(),
+                  [&](const Json* result) { return result->at("covariance").at("parameters") != names; })) {
+    sheet.note(
+        "These identifications left different parameters free. What one of them holds, the others move elsewhere: "
+        "their "
+        "parameters cannot be compared one by one. Identify all with the same --hold and --free.");
+    return;
+  }
+  const auto tracks = tracks_of(results);
+  const double coverage = coverage_of(tracks.size());
+  const Times times = times_of(results);
+  const std::size_t last = results.size() - 1;
+  sheet.figure(drift_figure(tracks, times, results.front()->at("coupling").at("angle_scale_mm")));
+  html::Table table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
+                                times.labels.front().get<std::string>(), times.labels.back().get<std::string>()),
+                    {{"parameter", false, true},
+                     {"unit", false},
+                     {"first"},
+                     {"last"},
+                     {"change"},
+                     {"u"},
+                     {"change / u"},
+                     {"", false}});
+  for (const Track& track : tracks) {
+    const double unit = track.is_angle ? units::degree : 1.0;
+    const int digits = track.is_angle ? 6 : 5;
+    const bool significant = track.standardised() > coverage;
+    table.add_markup(
+        {html::text(track.name), track.is_angle ? "°" : "mm",
+         fmt::format("{:.{}f}", track.values.front() / unit, digits),
+         fmt::format("{:.{}f}", track.values.back() / unit, digits),
+         fmt::format("{:+.{}f}", track.change(last) / unit, digits), two_digits(track.u_of_change(last) / unit),
+         fmt::format("{:.1f}", track.standardised()), significant ? "⚠ significant" : ""},
+        significant ? "notable" : "");
+  }
+  sheet.table(table);
+  sheet.paragraph(fmt::format(
+      "Significant: a change beyond {:.1f} u, which by chance one of {} parameters shows in one of twenty comparisons. "
+      "The "
+      "results are taken to be independent of one another; what a common artefact is wrong by changes none of them.",
+      coverage, tracks.size()));
+}
+
+void write_test_values(const Results& results, const std::string& standard, Sheet& sheet) {
+  const Times times = times_of(results);
+  std::map<std::string, std::vector<const Json*>> worst;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const ValuesOfQuantity& quantity : by_quantity(results[i]->at("values"))) {
+      worst[quantity.quantity].resize(results.size());
+      worst[quantity.quantity][i] = quantity.worst;
+    }
+  }
+  sheet.part(fmt::format("Values by {}", shown(standard)));
+  Json series = Json::array();
+  html::Table table("The worst of each quantity over time, µm",
+                    {{"quantity", false, true}, {"when", false}, {"value"}, {"limit"}, {"u"}, {"verdict", false}});
+  for (const auto& [quantity, values] : worst) {
+    Json x = Json::array(), y = Json::array(), bars = Json::array();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (values[i] == nullptr) {
+        continue;
+      }
+      const Json& value = *values[i];
+      const std::string when = times.labels[i];
+      table.add({shown(quantity), when, value_in_words(value),
+                 value.at("limit_mm").is_null() ? "–" : micrometres(value.at("limit_mm")),
+                 micrometres(value.at("u_mm")), verdict_in_words(value)});
+      x.push_back(when);
+      y.push_back(drawn(std::abs(value.at("value_mm").get<double>()) / units::micrometre));
+      bars.push_back(drawn(2.0 * value.at("u_mm").get<double>() / units::micrometre));
+    }
+    series.push_back({{"name", shown(quantity)}, {"x", x}, {"y", y}, {"bars", bars}});
+  }
+  sheet.figure(
+      {"The worst of each quantity over time",
+       "Sizes without sign; bars are twice the standard uncertainty of the test value.",
+       {{"kind", "drift"}, {"quantity", "worst"}, {"unit", "µm"}, {"dated", times.dated}, {"series", series}}});
+  sheet.table(table);
+}
+
+}  // namespace
+
+void write_drift(const std::vector<ReportedResult>& results, Sheet& sheet) {
+  const Results identifications = of_kind(results, ResultKind::Identification);
+  std::map<std::string, Results> by_standard;
+  for (const Json* verification : of_kind(results, ResultKind::Verification)) {
+    by_standard[text_in(*verification, "standard")].push_back(verification);
+  }
+  std::erase_if(by_standard, [](const auto& entry) { return entry.second.size() < 2; });
+  if (identifications.size() < 2 && by_standard.empty()) {
+    return;
+  }
+  sheet.section("Over time");
+  if (identifications.size() > 1) {
+    write_parameters(identifications, sheet);
+  }
+  for (const auto& [standard, verifications] : by_standard) {
+    write_test_values(verifications, standard, sheet);
+  }
+}
+
+}  // namespace artcal

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/sheet.h"
+
+namespace artcal {
+
+/// The values of a verification (table "test_value" of docs/result-schema.md) of one quantity, in their order.
+struct ValuesOfQuantity {
+  std::string quantity;
+  std::vector<const nlohmann::ordered_json*> values;
+  const nlohmann::ordered_json* worst = nullptr;  ///< nearest to its limit, or beyond; null where all are set aside
+};
+
+/// Refers to `values`, which must stay. Throws std::exception where the JSON is not as the schema says.
+std::vector<ValuesOfQuantity> by_quantity(const nlohmann::ordered_json& values);
+
+/// With spaces that do not break: "✓ conforms", "✗ does not conform", …; "set aside" where it was measured again.
+std::string verdict_in_words(const nlohmann::ordered_json& value);
+
+/// Signed where the value is an error, in micrometres.
+std::string value_in_words(const nlohmann::ordered_json& value);
+
+void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet);
+/// Errors of lengths over length with the band of their limits; nothing where no length was measured.
+void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet);
+/// Every value; of very many, all that do not conform and those nearest to their limits.
+void write_values(const ValuesOfQuantity& quantity, Sheet& sheet);
+
+}  // namespace artcal

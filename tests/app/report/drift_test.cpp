@@ -1,0 +1,86 @@
+#include "app/report/drift.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr int parameter_count = 20;
+constexpr double u = 0.001;
+
+// An identification of which every parameter is `value`, each with standard uncertainty u.
+Json identification(const std::string& date, const std::string& hash, double value) {
+  Json json{{"kind", "identification"},
+            {"date", date},
+            {"inputs", {{{"path", "r.toml"}, {"sha256", hash}}}},
+            {"coupling", {{"angle_scale_mm", 1000.0}}}};
+  for (int i = 0; i < parameter_count; ++i) {
+    const std::string name = "p" + std::to_string(i);
+    json["parameters"].push_back(
+        {{"name", name}, {"unit", i % 2 == 0 ? "mm" : "rad"}, {"identified", value}, {"standard_uncertainty", u}});
+    json["covariance"]["parameters"].push_back(name);
+  }
+  return json;
+}
+
+std::string page_of(const std::vector<Json>& results) {
+  std::vector<ReportedResult> all;
+  for (const Json& json : results) {
+    all.push_back(reported(json));
+  }
+  Sheet sheet;
+  write_drift(all, sheet);
+  return sheet.markup();
+}
+
+long significant_in(const std::string& page) {
+  long found = 0;
+  for (auto at = page.find("⚠ significant"); at != std::string::npos; at = page.find("⚠ significant", at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+TEST(Drift, OfOneResultIsNotTold) { EXPECT_THAT(page_of({identification("2026-01-01", "a", 0.0)}), IsEmpty()); }
+
+// With u of a change √2·u, and 20 parameters of which one by chance in twenty comparisons lies outside:
+// the quantile 1 - 0.025/20 of the normal distribution is 3.023.
+TEST(Drift, IsSignificantBeyondChance) {
+  Json later = identification("2026-02-01", "b", 0.0);
+  later["parameters"][3]["identified"] = 3.1 * 1.41421356 * u;
+  later["parameters"][4]["identified"] = -3.1 * 1.41421356 * u;
+  later["parameters"][5]["identified"] = 2.95 * 1.41421356 * u;
+  const std::string page = page_of({identification("2026-01-01", "a", 0.0), later});
+  EXPECT_EQ(significant_in(page), 2);
+  EXPECT_THAT(page, HasSubstr("beyond 3.0 u"));
+  EXPECT_THAT(page, Not(HasSubstr("same recording")));
+}
+
+TEST(Drift, GoesByDateWhateverTheOrder) {
+  const std::string page = page_of({identification("2026-05-01", "b", 2.0), identification("2026-01-01", "a", 1.0)});
+  EXPECT_THAT(page, HasSubstr("From 2026-01-01 to 2026-05-01"));
+  EXPECT_THAT(page, HasSubstr(">+1.00000<"));
+}
+
+TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
+  Json other = identification("2026-02-01", "b", 5.0);
+  other["covariance"]["parameters"].erase(0);
+  const std::string page = page_of({identification("2026-01-01", "a", 0.0), other});
+  EXPECT_THAT(page, HasSubstr("cannot be compared one by one"));
+  EXPECT_EQ(significant_in(page), 0);
+}
+
+TEST(Drift, OfTheSameRecordingIsDoubted) {
+  EXPECT_THAT(page_of({identification("2026-01-01", "a", 0.0), identification("2026-01-02", "a", 1.0)}),
+              HasSubstr("are of the same recording"));
+}
+
+}  // namespace
+}  // namespace artcal
