@@ -35,11 +35,9 @@ Json path_of(const Arm& arm, const Eigen::VectorXd& q, int probe) {
   const Eigen::Vector3d tip = sweep.axes_in_base(sines, directions.data(), points.data());
   Json path = Json::array();
   for (int i = 0; i < joints; ++i) {
-    const Eigen::Vector3d along = arm.joints[i].d * directions.col(i);
-    const double back = arm.convention == Convention::Standard ? 0.0 : 1.0;  // where p stands after d
-    const Eigen::Vector3d begin = points.col(i) - back * along;
+    const Eigen::Vector3d begin = points.col(i);
     path.push_back(point_json(begin));
-    path.push_back(point_json(begin + along));
+    path.push_back(point_json(begin + arm.joints[i].d * directions.col(i)));
   }
   path.push_back(point_json(tip));
   return path;

@@ -36,4 +36,5 @@
     await new Promise((resolve) => { setTimeout(resolve, 0); });
   }
   document.documentElement.dataset.drawn = 'all';
+  document.documentElement.dataset.milliseconds = Math.round(performance.now()); // since the page was asked for
 })();
