@@ -8,9 +8,14 @@
 #include <gmock/gmock.h>
 
 #include "acquisition/recording_file.h"
+#include "acquisition/tip_centres.h"
 #include "app/readings_json.h"
+#include "app/result_head.h"
 #include "app/result_json.h"
+#include "app/verification_json.h"
 #include "artefacts/constraint.h"
+#include "artefacts/verification/specification_file.h"
+#include "artefacts/verification/verify.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -29,6 +34,58 @@ Json identified() {
   Json json = to_json(recording, constraints, options, result, {});
   json["residuals"] = residuals_json(recording, constraints, result);
   return json;
+}
+
+Json verified(const std::string& example, Standard standard) {
+  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/" + example + "/recording.toml").value();
+  const auto constraints = read_constraints(recording).value();
+  const auto specification = read_specification_file(recording.specification_path).value().specification;
+  const auto tips = tip_centres(recording).value();
+  const Session session{recording, constraints, recording.arm, tips, specification};
+  return to_json(session, verify(session, standard).value());
+}
+
+// Puts something else in the place of each value, of lists the first: refused or written, never a crash.
+void damage(const Json& whole, ResultKind kind, int least) {
+  ASSERT_TRUE(report_html({{kind, whole, "result.json"}}));
+  const Json flat = whole.flatten();
+  Json damaged = whole;
+  int damages = 0;
+  for (const auto& [pointer, value] : flat.items()) {
+    if (std::regex_search(pointer, std::regex("/[1-9]\\d*(/|$)"))) {
+      continue;
+    }
+    for (const Json& other : {Json(), Json("text"), Json(-7), Json::array()}) {
+      Json& place = damaged[Json::json_pointer(pointer)];
+      const Json before = std::exchange(place, other);
+      const auto page = report_html({{kind, damaged, "result.json"}});
+      EXPECT_TRUE(page || page.error().code == ErrorCode::BadInput) << pointer;
+      place = before;
+      ++damages;
+    }
+  }
+  EXPECT_GT(damages, least);
+}
+
+TEST(ReportOfVerification, IsRefusedOrWrittenWhateverIsDamaged) {
+  for (const auto& [example, standard] :
+       {std::pair("iso10360-12", Standard::Iso10360_12), std::pair("sphere-plate", Standard::SpherePlate)}) {
+    Json whole = verified(example, standard);
+    whole["values"] = Json(std::vector<Json>(whole["values"].begin(), whole["values"].begin() + 8));
+    damage(whole, ResultKind::Verification, 150);
+  }
+}
+
+TEST(ReportOfUncertainty, IsRefusedOrWrittenWhateverIsDamaged) {
+  Json spread{{"count", 3}, {"rms_mm", 0.01}, {"quantile_95_mm", 0.02}, {"maximum_mm", 0.03}};
+  Json whole = result_head("uncertainty");
+  whole["arm"] = whole["probe"] = "one";
+  whole["inputs"] = {{{"path", "arm.toml"}, {"sha256", "00"}}};
+  whole["encoder_noise_rad"] = whole["probing_noise_mm"] = 0.001;
+  whole["lengths"] = {{{"length_mm", 500.0}, {"u", spread}, {"u_of_the_arm", spread}}};
+  whole["sphere_diameter"] = spread;
+  whole["map"] = {{{"from_axis_mm", 100.0}, {"height_mm", 200.0}, {"u_of_a_point", spread}}};
+  damage(whole, ResultKind::Uncertainty, 60);
 }
 
 class ReportOfIdentification : public ::testing::Test {
@@ -54,26 +111,7 @@ TEST_F(ReportOfIdentification, IsWritten) {
   EXPECT_THAT(*page, HasSubstr("<h1>Calibration report: Franka Emika Panda</h1>"));
 }
 
-TEST_F(ReportOfIdentification, IsRefusedOrWrittenWhateverIsDamaged) {
-  const Json flat = whole_.flatten();
-  Json damaged = whole_;
-  int damages = 0;
-  for (const auto& [pointer, value] : flat.items()) {
-    // Of each list the first element is enough.
-    if (std::regex_search(pointer, std::regex("/[1-9]\\d*(/|$)"))) {
-      continue;
-    }
-    for (const Json& other : {Json(), Json("text"), Json(-7), Json::array()}) {
-      Json& place = damaged[Json::json_pointer(pointer)];
-      const Json before = std::exchange(place, other);
-      const auto page = report_html({{ResultKind::Identification, damaged, "result.json"}});
-      EXPECT_TRUE(page || page.error().code == ErrorCode::BadInput) << pointer;
-      place = before;
-      ++damages;
-    }
-  }
-  EXPECT_GT(damages, 400);
-}
+TEST_F(ReportOfIdentification, IsRefusedOrWrittenWhateverIsDamaged) { damage(whole_, ResultKind::Identification, 400); }
 
 TEST_F(ReportOfIdentification, IsRefusedWhereColumnsDiffer) {
   for (const char* column : {"feature", "before_mm", "after_mm"}) {

@@ -1,6 +1,12 @@
 // Draws every figure of the page, one after the other so that the first is seen early.
 (async () => {
-  const config = {displaylogo: false, responsive: true, modeBarButtonsToRemove: ['select2d', 'lasso2d', 'sendDataToCloud']};
+  // Only what works without a network and changes nothing but the view.
+  const config = (made) => ({
+    displaylogo: false,
+    responsive: true,
+    modeBarButtons: [made.scene ? ['toImage', 'orbitRotation', 'pan3d', 'resetCameraDefault3d']
+      : ['toImage', 'zoom2d', 'pan2d', 'resetScale2d']],
+  });
 
   // What is drawn by WebGL may be gone when the page is printed: an image of it lies behind.
   function keepForPaper(place) {
@@ -24,7 +30,7 @@
       place.style.height = `${height}px`;
     }
     place.replaceChildren();
-    await Plotly.newPlot(place, traces, made, config);
+    await Plotly.newPlot(place, traces, made, config(made));
     if (made.scene) {
       keepForPaper(place);
       window.addEventListener('beforeprint', () => keepForPaper(place));

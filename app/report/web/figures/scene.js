@@ -8,7 +8,7 @@ const space = () => {
   const side = (title) => ({title: {text: title}, gridcolor: '#d0d7de', backgroundcolor: '#fff', showbackground: false, color: '#1b1f24'});
   return {
     aspectmode: 'data', xaxis: side('x, mm'), yaxis: side('y, mm'), zaxis: side('z, mm'),
-    camera: {eye: {x: 1.45, y: -1.45, z: 0.75}, center: {x: 0, y: 0, z: -0.08}},
+    camera: {eye: {x: 1.45, y: -1.45, z: 0.75}, center: {x: 0, y: 0, z: -0.16}},
   };
 };
 const spaceLayout = () => layout({scene: space(), showlegend: true, margin: {l: 0, r: 0, t: 30, b: 0}});
