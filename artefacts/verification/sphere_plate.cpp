@@ -123,15 +123,17 @@ std::string text_of(const PatternFinding& finding, const Artefact& artefact, con
 // What the plate itself is like, by all its complete placements; the first repeat of each stands for it.
 void add_calibration(const Artefact& artefact, const std::vector<Pattern>& patterns, PlateVerification& result) {
   std::vector<Eigen::Matrix3Xd> measured;
+  Eigen::Matrix3Xd certified;
   for (const Pattern& pattern : patterns) {
     if (pattern.others.cols() == 0) {
       measured.push_back(pattern.measured);
+      certified = pattern.certified;
     }
   }
   if (measured.size() < swing_round_placements) {
     return;
   }
-  if (auto calibration = mean_shape(measured, patterns.front().certified)) {
+  if (auto calibration = mean_shape(measured, certified)) {
     calibration->artefact = artefact.name;
     for (const CertifiedFeature& feature : artefact.features) {
       if (feature.at) {

@@ -225,5 +225,29 @@ TEST(SpherePlate, TwoPosesUnderOneNameAreFound) {
   EXPECT_EQ(result.verification.conclusion, Conclusion::NotShown);
 }
 
+// The first placement misses a ball; the four after it are complete.
+TEST(SpherePlate, AnIncompletePlacementHasNoPartInTheSwingRound) {
+  const Artefact plate = plate_5x5();
+  testing::ReportedReadings readings;
+  RandomStream random(3, "swing-round");
+  for (int placement = 0; placement < 5; ++placement) {
+    const Rigid base_from_plate{
+        Eigen::AngleAxisd(placement * std::numbers::pi / 2, Eigen::Vector3d::UnitZ()).toRotationMatrix(),
+        {500.0, 100.0, 200.0}};
+    for (int i = placement == 0 ? 1 : 0; i < 25; ++i) {
+      const auto& feature = plate.features[static_cast<std::size_t>(i)];
+      readings.touch_ball({"plate", std::to_string(placement), feature.name, "", ""}, base_from_plate * *feature.at,
+                          11.0, testing::pattern_25(), 0.001, random);
+    }
+  }
+  const testing::SessionMaterial material(readings.recording(), {plate}, {});
+  const auto result = verify_sphere_plate(material.session());
+  ASSERT_TRUE(result);
+  ASSERT_EQ(result->calibrations.size(), 1u);
+  EXPECT_EQ(result->calibrations[0].placements, 4);
+  ASSERT_EQ(result->calibrations[0].centres.cols(), 25);
+  EXPECT_LT(result->calibrations[0].deviations.cwiseAbs().maxCoeff(), 0.003);
+}
+
 }  // namespace
 }  // namespace artcal
