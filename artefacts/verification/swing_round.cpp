@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "artefacts/verification/rigid_fit.h"
+#include "core/units.h"
 
 namespace artcal {
 namespace {
@@ -65,6 +67,27 @@ Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& place
     }
   }
   return result;
+}
+
+Artefact calibrated_artefact(const Artefact& certified, const PlateCalibration& calibration) {
+  Artefact artefact = certified;
+  artefact.features.clear();
+  artefact.distances.clear();
+  artefact.certificate = {};
+  artefact.note = fmt::format(
+      "Coordinates by a swing-round of {} placements, turned by at least {:.0f} degrees against each other; U by their "
+      "scatter. The scale is the arm's and not in U: it needs a calibrated length. Diameters, form and expansion are "
+      "those "
+      "of the certificate of before.",
+      calibration.placements, calibration.least_turn / units::degree);
+  for (std::size_t i = 0; i < calibration.features.size(); ++i) {
+    const int index = certified.feature_index(calibration.features[i]);
+    CertifiedFeature feature = certified.features[static_cast<std::size_t>(index)];
+    feature.at = calibration.centres.col(static_cast<Eigen::Index>(i));
+    feature.u_at = calibration.u(static_cast<Eigen::Index>(i));
+    artefact.features.push_back(std::move(feature));
+  }
+  return artefact;
 }
 
 }  // namespace artcal

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "artefacts/artefact.h"
 #include "core/error.h"
 
 namespace artcal {
@@ -27,5 +28,11 @@ struct PlateCalibration {
 /// fit_rigid.
 Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& placements,
                                       const Eigen::Matrix3Xd& certified);
+
+/// The plate with these coordinates and their u in place of the certified ones. What else its certificate says of
+/// places (distances, number, date, laboratory) is left out, for it does not hold for them; diameters, form and
+/// expansion stay. A note says where the coordinates are from and that their scale is the arm's. Balls that
+/// `calibration` does not have are left out too.
+Artefact calibrated_artefact(const Artefact& certified, const PlateCalibration& calibration);
 
 }  // namespace artcal

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "artefacts/artefact_file.h"
+#include "artefacts/artefact_text.h"
 #include "core/random.h"
 #include "core/rigid.h"
+#include "tests/support/temporary_folder.h"
 
 namespace artcal {
 namespace {
@@ -70,6 +73,41 @@ TEST(SwingRound, NoiseAveragesAsItsUncertaintySays) {
   const double rms = std::sqrt((found->centres - onto->centres).squaredNorm() / 75.0);
   EXPECT_NEAR(rms, 0.001, 0.0002);  // 2 µm over √4
   EXPECT_NEAR(std::sqrt(found->u.squaredNorm() / 25.0), 0.001, 0.0002);
+}
+
+TEST(SwingRound, ACalibratedPlateIsAnArtefactFileWithItsU) {
+  const Swing swing(4, std::numbers::pi / 2, 0.001);
+  auto found = mean_shape(swing.placements, swing.certified);
+  ASSERT_TRUE(found);
+  Artefact certified;
+  certified.name = "plate";
+  certified.type = ArtefactType::SpherePlate;
+  certified.certificate.number = "old";
+  certified.distances = {{0, 1, 100.0, 1e-3}};
+  for (int i = 0; i < 25; ++i) {
+    CertifiedFeature ball;
+    ball.name = std::to_string(i);
+    ball.kind = FeatureKind::Sphere;
+    ball.radius = 10.0;
+    ball.at = swing.certified.col(i);
+    certified.features.push_back(ball);
+    found->features.push_back(ball.name);
+  }
+  const testing::TemporaryFolder folder;
+  const auto read =
+      read_artefact_file(folder.write("plate.toml", artefact_file_text(calibrated_artefact(certified, *found), {})));
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->artefact.features.size(), 25u);
+  for (int i = 0; i < 25; ++i) {
+    const CertifiedFeature& ball = read->artefact.features[static_cast<std::size_t>(i)];
+    EXPECT_EQ(ball.name, std::to_string(i));
+    EXPECT_EQ(*ball.at, found->centres.col(i));
+    EXPECT_EQ(ball.u_at, found->u(i));
+    EXPECT_EQ(ball.radius, 10.0);
+  }
+  EXPECT_TRUE(read->artefact.distances.empty());
+  EXPECT_EQ(read->artefact.certificate.number, "");
+  EXPECT_NE(read->artefact.note.find("The scale is the arm's"), std::string::npos);
 }
 
 }  // namespace
