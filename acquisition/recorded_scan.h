@@ -16,12 +16,14 @@ struct SpherePlace {
   Eigen::Vector3d at_in_base;  ///< mm
 };
 
-/// What a recording says of one scan with joint angles per point: a [[scan]] of recording.toml.
+/// What a recording says of one scan: a [[scan]] of recording.toml.
 struct RecordedScan {
   std::string path;                   ///< of the points, resolved
   std::string placement;              ///< where the artefact stood
   std::string artefact;               ///< empty: the only one
   std::string probe;                  ///< empty: the only one
+  std::string orientation;            ///< of the wrist; empty: not told
+  std::string repeat;                 ///< of a test; empty: there is one
   std::optional<double> temperature;  ///< of the artefact, °C
   CloudUnits units;                   ///< of x, y, z and of q1 … qn
   std::optional<double> tolerance;    ///< of distances between spheres as the nominal arm sees them, mm

@@ -128,10 +128,6 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }
-  if (arm_path.empty() && !recording.scans.empty()) {
-    return bad_input("a scan becomes readings by its joint angles, but the recording names no arm",
-                     recording.scans.front().where);
-  }
   if (!arm_path.empty()) {
     auto arm = read_arm_file(folder / arm_path);
     if (!arm) {

@@ -62,11 +62,13 @@ RecordedScan read_scan_table(TomlTable table, const std::filesystem::path& folde
   scan.placement = table.name("placement");
   scan.artefact = table.name_or("artefact", "");
   scan.probe = table.name_or("probe", "");
+  scan.orientation = table.name_or("orientation", "");
+  scan.repeat = table.name_or("repeat", "");
   scan.temperature = temperature_of(table);
   scan.units = units;
   if (table.has("units")) {
     TomlTable own = table.table("units");
-    scan.units = {length_unit(own, "length"), angle_unit(own, "joint")};
+    scan.units = {length_unit(own, "length"), own.has("joint") ? angle_unit(own, "joint") : units.angle};
   }
   scan.tolerance = tolerance_of(table);
   scan.use_every = use_every_of(table);

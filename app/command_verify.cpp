@@ -1,19 +1,18 @@
+#include <algorithm>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 
-#include "acquisition/arm_file.h"
-#include "acquisition/recording_file.h"
-#include "acquisition/tip_centres.h"
 #include "app/command.h"
 #include "app/dcc_request.h"
 #include "app/dcc_verification.h"
 #include "app/output.h"
 #include "app/report/report.h"
 #include "app/verification_json.h"
+#include "app/verification_material.h"
 #include "app/verification_text.h"
-#include "artefacts/verification/specification_file.h"
+#include "app/version.h"
+#include "artefacts/artefact_text.h"
 #include "artefacts/verification/verify.h"
 
 namespace artcal {
@@ -23,71 +22,12 @@ constexpr int conformity_not_shown = 1;
 
 struct Request {
   CommonOptions common;
-  std::string recording, standard, arm, specification, against, report;
+  VerificationSources sources;
+  std::string standard, against, report;
   DccRequest dcc;
+  std::string artefact_out;
   bool all = false;
 };
-
-/// What a session refers to.
-struct Material {
-  Recording recording;
-  Constraints constraints;
-  std::optional<Arm> other_arm;
-  TipCentres tips;
-  Specification specification;
-
-  [[nodiscard]] const Arm& arm() const { return other_arm ? *other_arm : recording.arm; }
-};
-
-Expected<void> read_arm_and_tips(const Request& request, Material& material) {
-  if (!request.arm.empty()) {
-    auto file = read_arm_file(request.arm);
-    if (!file) {
-      return tl::unexpected(file.error());
-    }
-    material.recording.inputs.push_back(file->input);
-    material.other_arm = std::move(file->arm);
-  }
-  auto tips =
-      material.other_arm ? tip_centres(material.recording, *material.other_arm) : tip_centres(material.recording);
-  if (!tips) {
-    return tl::unexpected(tips.error());
-  }
-  material.tips = std::move(*tips);
-  return {};
-}
-
-Expected<Material> read_material(const Request& request) {
-  auto recording = read_recording(request.recording);
-  if (!recording) {
-    return tl::unexpected(recording.error());
-  }
-  if (!recording->scans.empty()) {
-    return bad_input(
-        "a test judges every reading, but of a scan only points near its spheres become readings; expected readings "
-        "without [[scan]]",
-        recording->scans.front().where);
-  }
-  auto constraints = read_constraints(*recording);
-  if (!constraints) {
-    return tl::unexpected(constraints.error());
-  }
-  Material material{std::move(*recording), std::move(*constraints), {}, {}, {}};
-  if (auto read = read_arm_and_tips(request, material); !read) {
-    return tl::unexpected(read.error());
-  }
-  const std::string path =
-      request.specification.empty() ? material.recording.specification_path : request.specification;
-  if (!path.empty()) {
-    auto file = read_specification_file(path);
-    if (!file) {
-      return tl::unexpected(file.error());
-    }
-    material.recording.inputs.push_back(file->input);
-    material.specification = std::move(file->specification);
-  }
-  return material;
-}
 
 Standard standard_of(const std::string& name) {
   return name == "b89.4.22"       ? Standard::B89_4_22
@@ -103,7 +43,7 @@ bool is_shown(const VerificationResult& result) {
   return result.verification.conclusion == Conclusion::ConformityShown;
 }
 
-Expected<VerificationResult> verified(const Request& request, Material& material) {
+Expected<VerificationResult> verified(const Request& request, VerificationMaterial& material) {
   std::vector<TestValue> earlier;
   if (!request.against.empty()) {
     auto read = read_earlier_values(request.against, request.standard, material.recording.inputs);
@@ -113,8 +53,7 @@ Expected<VerificationResult> verified(const Request& request, Material& material
     earlier = std::move(*read);
     material.specification.plan = TestPlan{};  // a few lengths are enough
   }
-  const Session session{material.recording, material.constraints, material.arm(), material.tips,
-                        material.specification};
+  const Session session = material.session();
   auto result = verify(session, standard_of(request.standard));
   if (result && !request.against.empty()) {
     result->interim = compare(result->verification.values, earlier);
@@ -122,8 +61,28 @@ Expected<VerificationResult> verified(const Request& request, Material& material
   return result;
 }
 
+// The plate that was calibrated by swinging it round, as an artefact file; nothing where none is asked for.
+Expected<std::string> calibrated_plate_text(const Request& request, const VerificationMaterial& material,
+                                            const VerificationResult& result) {
+  if (request.artefact_out.empty()) {
+    return std::string();
+  }
+  if (result.calibrations.size() != 1) {
+    return no_solution(fmt::format(
+        "--artefact-out writes the one plate that was read completely in four or more placements, and there are {}",
+        result.calibrations.size()));
+  }
+  const PlateCalibration& calibration = result.calibrations.front();
+  const auto& artefacts = material.constraints.artefacts;
+  const auto certified = std::find_if(artefacts.begin(), artefacts.end(),
+                                      [&](const Artefact& artefact) { return artefact.name == calibration.artefact; });
+  return artefact_file_text(calibrated_artefact(*certified, calibration),
+                            {fmt::format("Written by artcal {} from the recording with the SHA-256 {}; no certificate.",
+                                         program_version, material.recording.inputs.front().sha256)});
+}
+
 Expected<int> verify_and_tell(const Request& request) {
-  auto material = read_material(request);
+  auto material = read_verification_material(request.sources);
   if (!material) {
     return tl::unexpected(material.error());
   }
@@ -135,12 +94,21 @@ Expected<int> verify_and_tell(const Request& request) {
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.common.json, request.dcc.out, request.report}, material->recording.inputs);
+  if (auto checked = check_outputs({request.common.json, request.dcc.out, request.artefact_out, request.report},
+                                   material->recording.inputs);
       !checked) {
     return tl::unexpected(checked.error());
   }
-  const Session session{material->recording, material->constraints, material->arm(), material->tips,
-                        material->specification};
+  const auto plate = calibrated_plate_text(request, *material, *result);
+  if (!plate) {
+    return tl::unexpected(plate.error());
+  }
+  if (!plate->empty()) {
+    if (auto written = write_file(request.artefact_out, *plate); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  const Session session = material->session();
   auto& warnings = result->verification.warnings;
   warnings.insert(warnings.begin(), material->constraints.warnings.begin(), material->constraints.warnings.end());
   warnings.insert(warnings.begin(), material->recording.warnings.begin(), material->recording.warnings.end());
@@ -171,19 +139,23 @@ Expected<int> verify_and_tell(const Request& request) {
 
 Run set_up_verify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  parser.add_option("recording", request->sources.recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("--standard", request->standard, "what to judge by")
       ->required()
       ->check(CLI::IsMember({"iso10360-12", "b89.4.22", "sphere-plate"}));
-  parser.add_option("--arm", request->arm, "the arm to judge, such as an identified one; else the recording's")
+  parser.add_option("--arm", request->sources.arm, "the arm to judge, such as an identified one; else the recording's")
       ->type_name("ARM");
-  parser.add_option("--specification", request->specification, "limits and plan; else the recording's")
+  parser.add_option("--specification", request->sources.specification, "limits and plan; else the recording's")
       ->type_name("FILE");
   parser
       .add_option("--against", request->against,
                   "interim check: a JSON result of an earlier verification to hold a few values against")
       ->type_name("FILE");
   parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
+  parser
+      .add_option("--artefact-out", request->artefact_out,
+                  "sphere-plate: write the plate as four or more placements tell it, an artefact file")
+      ->type_name("FILE");
   request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");
   request->common.add_to(parser);

@@ -31,6 +31,8 @@ const char* symbol_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::SizeError: return "P_Size.Sph.1x25::Tact.AArm";
     case Quantity::FormError: return "P_Form.Sph.1x25::Tact.AArm";
+    case Quantity::SizeErrorAll: return "P_Size.Sph.All";
+    case Quantity::FormErrorD95: return "P_Form.Sph.D95%";
     case Quantity::LocationDiameter: return "L_Dia.5x5:Art:Tact.AArm";
     case Quantity::LengthUni: return "E_Uni";
     case Quantity::LengthBi: return "E_Bi";

@@ -268,7 +268,9 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
   return constraints;
 }
 
-Expected<Constraints> read_constraints(Recording& recording) {
+Expected<Constraints> read_constraints(Recording& recording) { return read_constraints(recording, ScanSelection{}); }
+
+Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection) {
   if (recording.artefact_paths.empty()) {
     return bad_input("the recording names no artefact, expected artefacts = [\"artefact.toml\"]",
                      recording.inputs.empty() ? "" : recording.inputs.front().path);
@@ -290,7 +292,7 @@ Expected<Constraints> read_constraints(Recording& recording) {
     }
     artefacts.push_back(std::move(file->artefact));
   }
-  if (auto read = read_scans(recording, artefacts); !read) {
+  if (auto read = read_scans(recording, artefacts, selection); !read) {
     return tl::unexpected(read.error());
   }
   return build_constraints(recording, std::move(artefacts));

@@ -11,6 +11,8 @@
 
 namespace artcal {
 
+struct ScanSelection;  // artefacts/scan_readings.h
+
 /// Where the point or plane that a constraint refers to is known.
 enum class Location {
   Unknown,  ///< nowhere: a point is three unknowns in its group, a plane one, besides the tilts of its normal
@@ -123,6 +125,8 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
 /// Reads the artefact files that a recording names, notes them as its inputs, makes readings of the recording's scans
 /// (artefacts/scan_readings.h), and binds them to it.
 Expected<Constraints> read_constraints(Recording& recording);
+/// The same with another choice of the scans' points.
+Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection);
 
 /// The same without the placements for which `drop[i]` is set, i counting Constraints::features.
 Constraints without_features(const Constraints& constraints, const std::vector<bool>& drop);

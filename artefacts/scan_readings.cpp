@@ -1,148 +1,51 @@
 #include "artefacts/scan_readings.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "acquisition/point_cloud.h"
-#include "acquisition/sweep.h"
-#include "artefacts/scan_contents.h"
 #include "artefacts/scan_refusal.h"
+#include "artefacts/scan_source.h"
 #include "core/in_quotes.h"
+#include "fitting/segmentation/ball_region.h"
 
 namespace artcal {
 namespace {
 
-constexpr double tolerance_of_nominal_arm = 10.0;   // mm, of a distance
-constexpr double distortion_by_nominal_arm = 0.04;  // of the radius
-constexpr std::size_t most_named = 200;             // characters of a list in a message
-
-Expected<int> artefact_of(const RecordedScan& scan, const std::vector<Artefact>& artefacts) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < artefacts.size(); ++i) {
-    if (artefacts[i].name == scan.artefact || (scan.artefact.empty() && artefacts.size() == 1)) {
-      return static_cast<int>(i);
-    }
-    names.push_back(artefacts[i].name);
-  }
-  const auto known = at_most(most_named, fmt::format("{}", fmt::join(names, ", ")));
-  return bad_input(scan.artefact.empty() ? fmt::format("the scan names no artefact, and there are several: {}", known)
-                                         : fmt::format("the scan names the artefact {}, expected one of: {}",
-                                                       in_quotes(scan.artefact), known),
-                   scan.where);
-}
-
-Expected<int> probe_of(const RecordedScan& scan, const Arm& arm) {
-  if (scan.probe.empty() && arm.probes.size() == 1) {
-    return 0;
-  }
-  if (const int index = probe_index(arm, scan.probe); index >= 0) {
-    return index;
-  }
-  std::vector<std::string> names;
-  for (const Probe& probe : arm.probes) {
-    names.push_back(probe.name);
-  }
-  const auto known = at_most(most_named, fmt::format("{}", fmt::join(names, ", ")));
-  return bad_input(scan.probe.empty()
-                       ? fmt::format("the scan names no probe, and the arm has several: {}", known)
-                       : fmt::format("the scan names the probe {}, expected one of: {}", in_quotes(scan.probe), known),
-                   scan.where);
-}
-
-Expected<PointCloud> read_cloud(const RecordedScan& scan, const Arm& arm) {
-  auto cloud = read_point_cloud(scan.path, scan.units);
-  if (!cloud) {
-    return cloud;
-  }
-  const auto joints = static_cast<Eigen::Index>(arm.joints.size());
-  if (cloud->joints.rows() == 0) {
-    return bad_input(
-        fmt::format("the scan has no joint angles; identification needs q1 … q{} beside x, y and z", joints),
-        scan.path);
-  }
-  if (cloud->joints.rows() != joints) {
-    return bad_input(
-        fmt::format("the scan has joint angles q1 … q{}, but the arm {} has {} joints; is it the right arm?",
-                    cloud->joints.rows(), in_quotes(arm.name), joints),
-        scan.path);
-  }
-  return cloud;
-}
-
-Eigen::Matrix3Xd tips_in_base(const Arm& arm, int probe, const Eigen::MatrixXd& joints) {
-  const Sweep sweep(arm, {}, probe);
-  Eigen::Matrix3Xd tips(3, joints.cols());
-  std::vector<double> sines(2 * arm.joints.size());
-  for (Eigen::Index i = 0; i < joints.cols(); ++i) {
-    joint_sines({joints.col(i).data(), arm.joints.size()}, sines);
-    tips.col(i) = sweep.tip_in_base(sines);
-  }
-  return tips;
-}
-
-// Where the tip's centre is while it touches the artefact's spheres.
-Expected<ArtefactInScan> wanted_of(const RecordedScan& scan, const Artefact& artefact, double tip_radius) {
-  auto wanted = scan_contents(artefact, scan.temperature.value_or(artefact.reference_temperature));
-  if (!wanted) {
-    return bad_input(wanted.error().message, scan.where);
-  }
-  if (wanted->spheres.empty()) {
-    return bad_input(
-        fmt::format("the artefact {} has no sphere; scans become readings on spheres only", in_quotes(artefact.name)),
-        scan.where);
-  }
-  for (double& radius : wanted->contents.radii) {
-    radius += tip_radius;
-  }
-  wanted->contents.planes = 0;
-  return wanted;
-}
-
-Expected<SegmentOptions> options_of(const RecordedScan& scan, const Artefact& artefact, const ArtefactInScan& wanted) {
-  SegmentOptions options;
-  options.tolerance = scan.tolerance.value_or(tolerance_of_nominal_arm);
-  options.distortion =
-      distortion_by_nominal_arm * *std::min_element(wanted.contents.radii.begin(), wanted.contents.radii.end());
-  for (const SpherePlace& place : scan.places) {
-    const auto at = std::find_if(wanted.spheres.begin(), wanted.spheres.end(), [&](int feature) {
-      return artefact.features[static_cast<std::size_t>(feature)].name == place.sphere;
-    });
-    if (at == wanted.spheres.end()) {
-      return bad_input(fmt::format("the scan says where the sphere {} is, which the artefact {} does not have",
-                                   in_quotes(place.sphere), in_quotes(artefact.name)),
-                       scan.where);
-    }
-    options.hints.push_back({static_cast<int>(at - wanted.spheres.begin()), place.at_in_base});
-  }
-  return options;
-}
+constexpr std::size_t most_named = 200;  // characters of a list in a message
 
 /// Adds readings on one sphere; `used` are columns of the cloud.
 class ReadingsOfScan {
  public:
-  ReadingsOfScan(Recording& recording, const RecordedScan& scan, const PointCloud& cloud, int probe)
-      : recording_(recording), cloud_(cloud) {
-    recording_.inputs.push_back(cloud.input);
+  ReadingsOfScan(Recording& recording, const RecordedScan& scan, const ScanSource& source)
+      : recording_(recording), cloud_(source.cloud) {
+    recording_.inputs.push_back(cloud_.input);
     recording_.files.push_back(scan.path);
     reading_.artefact = recording_.artefacts.index_of(scan.artefact);
     reading_.placement = recording_.placements.index_of(scan.placement);
-    reading_.orientation = recording_.orientations.index_of("");
-    reading_.repeat = recording_.repeats.index_of("");
-    reading_.probe = probe;
+    reading_.orientation = recording_.orientations.index_of(scan.orientation);
+    reading_.repeat = recording_.repeats.index_of(scan.repeat);
+    reading_.probe = source.probe;
     reading_.temperature = scan.temperature.value_or(Reading::not_read);
     reading_.file = static_cast<int>(recording_.files.size()) - 1;
   }
   void add(const std::string& feature, const std::vector<int>& used) {
     reading_.feature = recording_.features.index_of(feature);
     const Eigen::Index before = recording_.joints.cols();
-    recording_.joints.conservativeResize(cloud_.joints.rows(), before + static_cast<Eigen::Index>(used.size()));
+    recording_.joints.conservativeResize(static_cast<Eigen::Index>(recording_.arm.joints.size()),
+                                         before + static_cast<Eigen::Index>(used.size()));
+    const bool has_joints = cloud_.joints.rows() > 0;
     for (std::size_t i = 0; i < used.size(); ++i) {
       reading_.line = cloud_.rows[static_cast<std::size_t>(used[i])] + 1;
+      auto joints = recording_.joints.col(before + static_cast<Eigen::Index>(i));
+      if (has_joints) {
+        joints = cloud_.joints.col(used[i]);
+      } else {
+        joints.setConstant(Reading::not_read);
+        reading_.tip = cloud_.points.col(used[i]);
+      }
       recording_.readings.push_back(reading_);
-      recording_.joints.col(before + static_cast<Eigen::Index>(i)) = cloud_.joints.col(used[i]);
     }
   }
 
@@ -160,8 +63,49 @@ std::vector<int> thinned(const std::vector<int>& points, int every) {
   return kept;
 }
 
-std::string told(const RecordedScan& scan, const PointCloud& cloud, std::size_t used,
-                 const std::vector<std::string>& counts, const std::vector<std::string>& missing) {
+/// The points on one sphere, and what is told of them.
+struct PointsOfBall {
+  std::vector<int> points;
+  std::string told;
+};
+
+std::string not_clear(const BallRegion& region, const std::string& name) {
+  const auto in_band = region.points.size() + static_cast<std::size_t>(region.beside_foreign);
+  return fmt::format(
+      "where the ball {} ends is not told, nor its size and form: of {} points within {:.3g} mm of it {} lie beside "
+      "points "
+      "that are no part of it, and of the others {} are more than {:.3g} mm off; was it scanned too roughly for its "
+      "size, "
+      "or with another arm or probe?",
+      in_quotes(name), in_band, region.band, region.beside_foreign, region.far_off, 0.5 * region.band);
+}
+
+Expected<PointsOfBall> whole_ball(const RecordedScan& scan, const ScanSource& source, const std::string& name,
+                                  const Sphere& sphere) {
+  const BallRegion region = ball_region(source.tips_in_base, sphere);
+  if (!region.is_clear()) {
+    return tl::unexpected(Error{ErrorCode::NoSolution, not_clear(region, name), scan.path});
+  }
+  std::vector<int> points = thinned(region.points, scan.use_every);
+  std::string told = fmt::format("{} {} over some {:.0f} % of it", name, points.size(), 100.0 * region.share);
+  if (region.far_off > 0) {
+    told += fmt::format(" ({} more than {:.3g} mm off)", region.far_off, 0.5 * region.band);
+  }
+  return PointsOfBall{std::move(points), std::move(told)};
+}
+
+Expected<PointsOfBall> points_of(const RecordedScan& scan, const ScanSource& source, const std::string& name,
+                                 const FoundSphere& found, ScanUse use) {
+  if (use == ScanUse::WholeBalls) {
+    return whole_ball(scan, source, name, {found.fitted.feature.centre, found.radius_wanted});
+  }
+  std::vector<int> points = thinned(found.points, scan.use_every);
+  std::string told = fmt::format("{} {}", name, points.size());
+  return PointsOfBall{std::move(points), std::move(told)};
+}
+
+std::string told_of(const RecordedScan& scan, const PointCloud& cloud, std::size_t used,
+                    const std::vector<std::string>& counts, const std::vector<std::string>& missing) {
   const std::string thinning = scan.use_every > 1 ? fmt::format(" (use_every = {})", scan.use_every) : "";
   std::string text =
       fmt::format("{}: {} of {} points became readings{}: {}; the others were not used", scan.path, used,
@@ -172,66 +116,55 @@ std::string told(const RecordedScan& scan, const PointCloud& cloud, std::size_t 
   return text;
 }
 
-Expected<void> read_scan(Recording& recording, const RecordedScan& scan, const std::vector<Artefact>& artefacts) {
-  const auto index = artefact_of(scan, artefacts);
-  if (!index) {
-    return tl::unexpected(index.error());
+Expected<void> read_scan(Recording& recording, const RecordedScan& scan, const std::vector<Artefact>& artefacts,
+                         const ScanSelection& selection) {
+  const auto source = open_scan(recording, scan, artefacts, selection);
+  if (!source) {
+    return tl::unexpected(source.error());
   }
-  const Artefact& artefact = artefacts[static_cast<std::size_t>(*index)];
-  const auto probe = probe_of(scan, recording.arm);
-  if (!probe) {
-    return tl::unexpected(probe.error());
-  }
-  const auto wanted = wanted_of(scan, artefact, recording.arm.probes[static_cast<std::size_t>(*probe)].radius);
-  if (!wanted) {
-    return tl::unexpected(wanted.error());
-  }
-  const auto options = options_of(scan, artefact, *wanted);
-  if (!options) {
-    return tl::unexpected(options.error());
-  }
-  const auto cloud = read_cloud(scan, recording.arm);
-  if (!cloud) {
-    return tl::unexpected(cloud.error());
-  }
-  const auto found = segment(tips_in_base(recording.arm, *probe, cloud->joints), wanted->contents, *options);
+  const auto found = segment(source->tips_in_base, source->wanted.contents, source->options);
   if (!found) {
     return tl::unexpected(Error{found.error().code, found.error().message, scan.path});
   }
   if (found->status != SegmentStatus::Complete && found->status != SegmentStatus::Partial) {
-    return tl::unexpected(Error{ErrorCode::NoSolution, scan_refusal(*found, *wanted, artefact), scan.path});
+    return tl::unexpected(
+        Error{ErrorCode::NoSolution, scan_refusal(*found, source->wanted, *source->artefact), scan.path});
   }
-  for (const auto& warning : cloud->warnings) {
+  for (const auto& warning : source->cloud.warnings) {
     recording.warnings.push_back(fmt::format("{}: {}", scan.path, warning));
   }
-  ReadingsOfScan readings(recording, scan, *cloud, *probe);
+  ReadingsOfScan readings(recording, scan, *source);
   std::size_t used = 0;
   std::vector<std::string> counts, missing;
   for (std::size_t i = 0; i < found->spheres.size(); ++i) {
-    const std::string& name = artefact.features[static_cast<std::size_t>(wanted->spheres[i])].name;
+    const std::string& name = source->artefact->features[static_cast<std::size_t>(source->wanted.spheres[i])].name;
     if (!found->spheres[i]) {
       missing.push_back(name);
       continue;
     }
-    const auto points = thinned(found->spheres[i]->points, scan.use_every);
-    readings.add(name, points);
-    used += points.size();
-    counts.push_back(fmt::format("{} {}", name, points.size()));
+    const auto ball = points_of(scan, *source, name, *found->spheres[i], selection.use);
+    if (!ball) {
+      return tl::unexpected(ball.error());
+    }
+    readings.add(name, ball->points);
+    used += ball->points.size();
+    counts.push_back(ball->told);
   }
-  recording.warnings.push_back(told(scan, *cloud, used, counts, missing));
+  recording.warnings.push_back(told_of(scan, source->cloud, used, counts, missing));
   return {};
 }
 
 }  // namespace
 
-Expected<void> read_scans(Recording& recording, const std::vector<Artefact>& artefacts) {
+Expected<void> read_scans(Recording& recording, const std::vector<Artefact>& artefacts,
+                          const ScanSelection& selection) {
   std::set<std::string> paths;
   for (const RecordedScan& scan : recording.scans) {
     if (!paths.insert(scan.path).second) {
       return bad_input(fmt::format("the scan {} is named twice; its points would count twice", in_quotes(scan.path)),
                        scan.where);
     }
-    if (auto read = read_scan(recording, scan, artefacts); !read) {
+    if (auto read = read_scan(recording, scan, artefacts, selection); !read) {
       return read;
     }
   }

@@ -15,14 +15,26 @@
 namespace artcal {
 namespace {
 
-constexpr std::array quantities{Quantity::SizeError, Quantity::FormError, Quantity::LocationDiameter,
-                                Quantity::LengthUni, Quantity::LengthBi};
+constexpr std::array quantities{Quantity::SizeError,    Quantity::FormError,        Quantity::SizeErrorAll,
+                                Quantity::FormErrorD95, Quantity::LocationDiameter, Quantity::LengthUni,
+                                Quantity::LengthBi};
+
+// Why points of a scan do not do for a quantity that single contacts are asked for.
+std::string by_scan_only(Quantity quantity, const Verification& verification) {
+  const bool is_contact = quantity == Quantity::SizeError || quantity == Quantity::FormError;
+  const bool scanned = worst_of(verification, Quantity::FormErrorD95) != nullptr;
+  return is_contact && scanned
+             ? " in single points; a scan gives P_Size.Sph.All and P_Form.Sph.D95%, which have limits "
+               "of their own"
+             : "";
+}
 
 // A limit that nothing was measured for is a test that was not made.
 void check_limits(const Session& session, Verification& verification) {
   for (const Quantity quantity : quantities) {
     if (session.specification.limits.contains(quantity) && worst_of(verification, quantity) == nullptr) {
-      verification.missing.push_back(fmt::format("{}: a limit is stated, but nothing was measured", name_of(quantity)));
+      verification.missing.push_back(fmt::format("{}: a limit is stated, but nothing was measured{}", name_of(quantity),
+                                                 by_scan_only(quantity, verification)));
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "artefacts/verification/measured.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -36,6 +37,18 @@ Expected<double> tip_radius(const Session& session, const Touched& touched) {
     }
   }
   return radius;
+}
+
+// Of the intervals that hold that share of the values the smallest.
+double narrowest_range(const Eigen::VectorXd& values, double share) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto held = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
+  double narrowest = sorted.back() - sorted.front();
+  for (std::size_t i = 0; i + held <= sorted.size(); ++i) {
+    narrowest = std::min(narrowest, sorted[i + held - 1] - sorted[i]);
+  }
+  return narrowest;
 }
 
 tl::unexpected<Error> not_one_ball(const std::string& where, const std::string& found) {
@@ -77,7 +90,8 @@ Expected<MeasuredPoint> measure_ball(const Session& session, const Touched& touc
                                     "{:.3g} mm",
                                     2.0 * expected, 2.0 * fitted->feature.radius, fitted->form));
   }
-  MeasuredPoint measured{fitted->feature.centre, 2.0 * fitted->feature.radius, fitted->form, 0.0};
+  MeasuredPoint measured{fitted->feature.centre, 2.0 * fitted->feature.radius, fitted->form,
+                         narrowest_range(fitted->residuals, 0.95), 0.0};
   if (fitted->covariance) {
     measured.u = std::sqrt(fitted->covariance->topLeftCorner<3, 3>().trace() / 3.0);
   }

@@ -14,6 +14,7 @@ struct MeasuredPoint {
   Eigen::Vector3d centre_in_base = Eigen::Vector3d::Zero();
   double diameter = 0.0;  ///< of a ball, mm, the tip taken off; 0 for a seat
   double form = 0.0;      ///< range of the residuals, mm
+  double form_95 = 0.0;   ///< range of the narrowest 95 % of a ball's residuals, mm
   double u = 0.0;         ///< standard uncertainty of a coordinate by the scatter of its points, mm; 0: not told
 };
 

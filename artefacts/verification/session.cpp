@@ -1,5 +1,6 @@
 #include "artefacts/verification/session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -21,6 +22,18 @@ std::vector<Touched> touched_features(const Session& session, Orientations orien
     }
   }
   return all;
+}
+
+bool is_scanned(const Session& session, const std::vector<int>& readings) {
+  const Recording& recording = session.recording;
+  std::vector<bool> by_scan;
+  for (const std::string& file : recording.files) {
+    by_scan.push_back(std::any_of(recording.scans.begin(), recording.scans.end(),
+                                  [&](const RecordedScan& scan) { return scan.path == file; }));
+  }
+  return std::any_of(readings.begin(), readings.end(), [&](int reading) {
+    return by_scan[static_cast<std::size_t>(recording.readings[static_cast<std::size_t>(reading)].file)];
+  });
 }
 
 double mean_temperature(const Session& session, const std::vector<int>& readings) {

@@ -34,6 +34,9 @@ enum class Orientations { Apart, Together };
 /// In order of appearance. With orientations together, that of the first reading stands for all.
 std::vector<Touched> touched_features(const Session& session, Orientations orientations);
 
+/// Whether points of a scan are among these readings.
+bool is_scanned(const Session& session, const std::vector<int>& readings);
+
 /// Mean temperature of what was read there, °C; NaN where no reading says.
 double mean_temperature(const Session& session, const std::vector<int>& readings);
 

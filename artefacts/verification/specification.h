@@ -15,6 +15,8 @@ namespace artcal {
 enum class Quantity {
   SizeError,           ///< P_Size: diameter of a ball
   FormError,           ///< P_Form: range of its radial residuals
+  SizeErrorAll,        ///< P_Size.Sph.All: diameter of a scanned ball, of all its points
+  FormErrorD95,        ///< P_Form.Sph.D95%: range of the narrowest 95 % of its radial residuals
   LocationDiameter,    ///< L_Dia: spread of its centre over the wrist's orientations
   LengthUni,           ///< E_Uni: a length between two like-sided features, such as balls
   LengthBi,            ///< E_Bi: a length between two faces that look away from or at each other
@@ -27,6 +29,8 @@ enum class Quantity {
 /// "E_Uni": the name in specification files and results.
 const char* name_of(Quantity quantity);
 std::optional<Quantity> quantity_named(const std::string& name);
+/// All of these names, for a message.
+std::string quantity_names();
 
 /// One position of the artefact of lengths, and what is to be measured there.
 struct PlannedPosition {

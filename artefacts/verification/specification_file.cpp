@@ -106,9 +106,7 @@ void read_limits(TomlTable& root, double length, double limit, Specification& sp
     const std::string name = table.text("of");
     const auto quantity = quantity_named(name);
     if (!quantity) {
-      table.fail("of", fmt::format("the limit is of {}, expected P_Size, P_Form, L_Dia, E_Uni, E_Bi, "
-                                   "effective_diameter, SPAT, SPAT_2s or volumetric",
-                                   in_quotes(name)));
+      table.fail("of", fmt::format("the limit is of {}, expected {}", in_quotes(name), quantity_names()));
       return;
     }
     if (!specification.limits.emplace(*quantity, read_limit(table, length, limit)).second) {

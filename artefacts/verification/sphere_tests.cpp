@@ -12,6 +12,8 @@
 namespace artcal {
 namespace {
 
+constexpr std::size_t fewest_scanned = 20;  // points of a scan, of which 95 % are not all
+
 /// One position of a ball in one repeat.
 struct Position {
   std::vector<Touched> orientations;
@@ -46,18 +48,27 @@ void add(Verification& verification, TestValue value, const Specification& speci
 }
 
 void add_size_and_form(const Session& session, const Touched& touched, Verification& verification) {
+  const bool scanned = is_scanned(session, touched.readings);
   const auto measured = measure(session, touched);
   if (!measured) {
     verification.missing.push_back("P_Size and P_Form: " + measured.error().text());
     return;
   }
+  if (scanned && touched.readings.size() < fewest_scanned) {
+    verification.missing.push_back(
+        fmt::format("P_Form.Sph.D95%: {}: {} points, and 95 % of fewer than {} are all of them",
+                    text_of(touched, session), touched.readings.size(), fewest_scanned));
+    return;
+  }
   const Artefact& artefact = session.constraints.artefacts[touched.artefact];
   const CertifiedFeature& ball = artefact.features[touched.feature];
-  TestValue form = value_at(session, touched, Quantity::FormError, *measured, touched.readings);
-  form.value = form.measured = measured->form;
+  TestValue form =
+      value_at(session, touched, scanned ? Quantity::FormErrorD95 : Quantity::FormError, *measured, touched.readings);
+  form.value = form.measured = scanned ? measured->form_95 : measured->form;
   form.budget = form_budget(form.budget, ball);
   if (ball.radius) {
-    TestValue size = value_at(session, touched, Quantity::SizeError, *measured, touched.readings);
+    TestValue size =
+        value_at(session, touched, scanned ? Quantity::SizeErrorAll : Quantity::SizeError, *measured, touched.readings);
     size.certified = 2.0 * *ball.radius;
     size.measured = measured->diameter / expansion_factor_or_one(artefact, size.temperature);
     size.value = size.measured - size.certified;
@@ -93,7 +104,7 @@ void add_location(const Session& session, const Position& position, Verification
   }
   const Artefact& artefact = session.constraints.artefacts[first.artefact];
   TestValue value = value_at(session, first, Quantity::LocationDiameter,
-                             {around->feature.centre, 2.0 * around->feature.radius, 0.0, 0.0}, readings);
+                             {around->feature.centre, 2.0 * around->feature.radius, 0.0, 0.0, 0.0}, readings);
   value.value = value.measured = 2.0 * around->feature.radius;
   value.budget = form_budget(value.budget, artefact.features[first.feature]);
   add(verification, value, session.specification);

@@ -16,6 +16,7 @@ using testing::replaced;
 
 const std::string whole =
     "[[scan]]\nfile = \"left.pcd\"\nplacement = \"left\"\nartefact = \"bar\"\nprobe = \"ball\"\ntemperature = 20.3\n"
+    "orientation = \"down\"\nrepeat = \"2\"\n"
     "units = { length = \"m\", joint = \"rad\" }\ntolerance = \"0.5 mm\"\nuse_every = 7\n"
     "[[scan.place]]\nsphere = \"A\"\nat = [0.1, 0.2, -0.3]\n";
 
@@ -43,6 +44,8 @@ TEST_F(ScanTable, EveryKeyArrives) {
   EXPECT_EQ(scan.placement, "left");
   EXPECT_EQ(scan.artefact, "bar");
   EXPECT_EQ(scan.probe, "ball");
+  EXPECT_EQ(scan.orientation, "down");
+  EXPECT_EQ(scan.repeat, "2");
   EXPECT_EQ(scan.temperature, 20.3);
   EXPECT_EQ(scan.units.length, 1000.0);
   EXPECT_EQ(scan.units.angle, 1.0);
@@ -59,7 +62,7 @@ TEST_F(ScanTable, TheRestIsTheRecordings) {
   const auto recording = read("[[scan]]\nfile = \"left.pcd\"\nplacement = \"left\"\n");
   ASSERT_TRUE(recording) << recording.error().text();
   const RecordedScan& scan = recording->scans.front();
-  EXPECT_EQ(scan.artefact + scan.probe, "");
+  EXPECT_EQ(scan.artefact + scan.probe + scan.orientation + scan.repeat, "");
   EXPECT_FALSE(scan.temperature);
   EXPECT_FALSE(scan.tolerance);
   EXPECT_EQ(scan.units.length, 1.0);

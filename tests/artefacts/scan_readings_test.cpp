@@ -29,7 +29,7 @@ class ScanReadings : public ::testing::Test {
     scan_ = testing::scan_with_arm(testing::planted_errors(testing::arm_with_ball_tip(), seed, times), settings_);
     text_ = testing::text_of(scan_);
   }
-  Expected<Constraints> read() {
+  Expected<Constraints> read(const ScanSelection& selection = {}) {
     source_.path = folder_.write("scan.txt", text_).string();
     source_.placement = "left";
     source_.where = "recording.toml:5";
@@ -38,7 +38,7 @@ class ScanReadings : public ::testing::Test {
     recording_.arm = arm_;
     recording_.scans = {source_};
     recording_.artefact_paths = {folder_.write("bar.toml", testing::bar_file(settings_)).string()};
-    return read_constraints(recording_);
+    return read_constraints(recording_, selection);
   }
   std::string refusal() {
     const auto constraints = read();
@@ -121,6 +121,50 @@ TEST_F(ScanReadings, ThinsOnlyWhereAsked) {
   ASSERT_TRUE(read());
   EXPECT_THAT(recording_.readings, SizeIs(45));
   EXPECT_THAT(recording_.warnings.back(), HasSubstr("45 of 630 points became readings (use_every = 10)"));
+}
+
+TEST_F(ScanReadings, ForVerificationEveryPointOfABallIsTakenByTheArmInQuestion) {
+  settings_.noise = 0.1;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    scan(seed);
+    const Arm truth = testing::planted_errors(testing::arm_with_ball_tip(), seed);
+    const auto constraints = read({ScanUse::WholeBalls, &truth});
+    ASSERT_TRUE(constraints) << constraints.error().text();
+    for (std::size_t i = 0; i < recording_.readings.size(); ++i) {
+      const auto row = static_cast<std::size_t>(recording_.readings[i].line - 1);
+      ASSERT_EQ(recording_.features.name(recording_.readings[i].feature),
+                std::string(1, static_cast<char>('A' + scan_.labels[row])))
+          << "seed " << seed << ", row " << row;
+    }
+    EXPECT_GE(static_cast<int>(recording_.readings.size()), 0.8 * (count_of(0) + count_of(1) + count_of(2)));
+  }
+}
+
+TEST_F(ScanReadings, CoordinatesAloneAreForVerification) {
+  scan(2);
+  text_ = "x y z\n";
+  const Eigen::Vector3d towards(0.6, 0.0, 0.8);
+  RandomStream random(1, "coordinates");
+  for (const double place : settings_.places) {
+    for (int i = 0; i < 300; ++i) {
+      const Eigen::Vector3d at = place * towards + 15.7 * random.direction();
+      text_ += fmt::format("{} {} {}\n", at.x(), at.y(), at.z());
+    }
+  }
+  EXPECT_THAT(refusal(), HasSubstr("scan.txt: the scan has no joint angles"));
+  ASSERT_TRUE(read({ScanUse::WholeBalls, nullptr}));
+  ASSERT_THAT(recording_.readings, SizeIs(900));
+  EXPECT_NEAR((recording_.readings.back().tip - 600.0 * towards).norm(), 15.7, 1e-3);
+  EXPECT_FALSE(recording_.joints.col(0).allFinite());
+}
+
+TEST_F(ScanReadings, OrientationAndRepeatReachTheReadings) {
+  source_.orientation = "down";
+  source_.repeat = "2";
+  scan(2);
+  ASSERT_TRUE(read());
+  EXPECT_EQ(recording_.orientations.name(recording_.readings.back().orientation), "down");
+  EXPECT_EQ(recording_.repeats.name(recording_.readings.back().repeat), "2");
 }
 
 TEST_F(ScanReadings, ASymmetricBarNeedsAPlace) {

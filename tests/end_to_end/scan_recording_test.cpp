@@ -1,6 +1,7 @@
 // Scans with joint angles per point: from the files to the arm that made them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "acquisition/arm_file.h"
 #include "tests/end_to_end/program.h"
@@ -71,10 +72,29 @@ TEST_F(ScanRecording, IdentifiesTheArmThatScanned) {
   EXPECT_LT(worst_length(found->arm), 0.03);
 }
 
-TEST_F(ScanRecording, VerificationRefusesScans) {
-  const Ended ended = run({"verify", "scans/recording.toml", "--standard", "sphere-plate"});
-  EXPECT_EQ(ended.exit_code, 3);
-  EXPECT_THAT(ended.err, HasSubstr("expected readings without [[scan]]"));
+TEST_F(ScanRecording, VerificationTakesTheArmThatScannedForAGoodOneAndTheNominalOneForABad) {
+  Arm truth = truth_;
+  truth.probes[0].name = "ball 6 mm";  // as in the recording's arm
+  write("truth.toml", arm_file_text(truth, std::nullopt));
+  write("scans/specification.toml",
+        "schema = \"artcal-specification/1\"\nname = \"made up\"\nunits = { length = \"mm\", limit = \"um\" }\n"
+        "[[limit]]\nof = \"E_Uni\"\nB = 20\n");
+  const auto lengths = [&](const std::vector<std::string>& arm) {
+    std::vector<std::string> command{"verify",          "scans/recording.toml",     "--standard", "iso10360-12",
+                                     "--specification", "scans/specification.toml", "--json",     "-"};
+    command.insert(command.end(), arm.begin(), arm.end());
+    const Ended ended = run(command);
+    EXPECT_EQ(ended.exit_code, 1) << ended.err;  // without a plan, whether it is enough is not told
+    return nlohmann::json::parse(ended.out);
+  };
+  const auto by_truth = lengths({"--arm", "truth.toml"});
+  EXPECT_EQ(by_truth["values"].size(), 3u * placements);
+  for (const auto& value : by_truth["values"]) {
+    EXPECT_EQ(value["verdict"], "conforms") << value.dump();
+    // 10 um of noise on 150 points, most of a ball: centres are told to some micrometres.
+    EXPECT_LT(std::abs(value["value_mm"].get<double>()), 0.015) << value.dump();
+  }
+  EXPECT_EQ(lengths({})["conclusion"], "non_conformity_shown");
 }
 
 TEST_F(ScanRecording, AMissingScanIsNamed) {

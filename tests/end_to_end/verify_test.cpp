@@ -1,10 +1,12 @@
 // artcal verify and artcal points as a laboratory uses them.
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "artefacts/artefact_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/example_recording.h"
 
@@ -16,6 +18,7 @@ using ::testing::Contains;
 using testing::Ended;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::replaced;
 
 class Verify : public testing::ProgramTest {
@@ -103,6 +106,55 @@ TEST_F(Verify, ThePlantedBallOfTheSpherePlateIsNamed) {
   EXPECT_THAT(ended.out, HasSubstr("placement \"1\": ball \"C4\" is off by"));
   EXPECT_THAT(ended.out, HasSubstr("placement \"2\": ball \"C4\" is off by"));
   EXPECT_THAT(ended.err, IsEmpty());
+}
+
+// The example's first placement, turned about the base's z axis by quarters: four placements without an arm's errors.
+TEST_F(Verify, ASwungRoundPlateIsWrittenAndServesAsAnArtefact) {
+  take("sphere-plate");
+  std::istringstream lines(text_of("sphere-plate/readings.csv"));
+  std::string line, text;
+  std::getline(lines, line);
+  text = line + "\n";
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::vector<std::string> field;
+    for (std::string one; std::getline(fields, one, ',');) field.push_back(one);
+    ASSERT_EQ(field.size(), 6u);
+    if (field[0] != "1") continue;
+    double x = std::stod(field[3]), y = std::stod(field[4]);
+    for (int turn = 1; turn <= 4; ++turn) {
+      text += fmt::format("{},{},{},{},{},{}\n", turn, field[1], field[2], x, y, field[5]);
+      x = std::exchange(y, x);
+      x = -x;
+    }
+  }
+  write("sphere-plate/readings.csv", text);
+  const std::vector<std::string> verify{"verify", "sphere-plate/recording.toml", "--standard", "sphere-plate"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), verify.begin(), verify.end());
+    return run(more);
+  };
+  const Ended found = with({"--artefact-out", "found.toml", "--json", "found.json"});
+  EXPECT_EQ(found.exit_code, 1) << found.err;
+  EXPECT_THAT(found.out, HasSubstr("ball \"C4\" is off by"));
+  const Json calibration = Json::parse(text_of("found.json"))["plate_calibrations"][0];
+  const auto artefact = read_artefact_file(file("found.toml"));
+  ASSERT_TRUE(artefact) << artefact.error().text();
+  ASSERT_EQ(artefact->artefact.features.size(), 25u);
+  for (std::size_t i = 0; i < 25; ++i) {
+    const CertifiedFeature& ball = artefact->artefact.features[i];
+    EXPECT_EQ(ball.name, calibration["balls"][i]["feature"]);
+    EXPECT_EQ(ball.at->x(), calibration["balls"][i]["at_mm"][0].get<double>());
+    EXPECT_EQ(ball.u_at, calibration["balls"][i]["u_mm"].get<double>());
+  }
+  write("sphere-plate/plate.toml", text_of("found.toml"));
+  EXPECT_THAT(with({}).out, Not(HasSubstr("C4\" is off by")));
+  // Nothing to write: two placements, or no plate at all.
+  take("iso10360-12");
+  const Ended none = run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--artefact-out", "x"});
+  EXPECT_EQ(none.exit_code, 4);
+  EXPECT_THAT(none.err, HasSubstr("four or more placements, and there are 0"));
+  EXPECT_EQ(with({"--artefact-out", "sphere-plate/plate.toml"}).exit_code, 2);
 }
 
 TEST_F(Verify, CoordinatesAloneIdentifyNoArm) {

@@ -1,0 +1,73 @@
+#include "app/verification_material.h"
+
+#include "acquisition/arm_file.h"
+#include "acquisition/recording_file.h"
+#include "artefacts/scan_readings.h"
+#include "artefacts/verification/specification_file.h"
+
+namespace artcal {
+namespace {
+
+Expected<void> read_other_arm(const std::string& path, VerificationMaterial& material) {
+  if (path.empty()) {
+    return {};
+  }
+  auto file = read_arm_file(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  material.recording.inputs.push_back(file->input);
+  material.other_arm = std::move(file->arm);
+  return {};
+}
+
+Expected<void> read_artefacts_and_tips(VerificationMaterial& material) {
+  const Arm* other = material.other_arm ? &*material.other_arm : nullptr;
+  auto constraints = read_constraints(material.recording, {ScanUse::WholeBalls, other});
+  if (!constraints) {
+    return tl::unexpected(constraints.error());
+  }
+  material.constraints = std::move(*constraints);
+  auto tips = other != nullptr ? tip_centres(material.recording, *other) : tip_centres(material.recording);
+  if (!tips) {
+    return tl::unexpected(tips.error());
+  }
+  material.tips = std::move(*tips);
+  return {};
+}
+
+Expected<void> read_specification(const std::string& named, VerificationMaterial& material) {
+  const std::string& path = named.empty() ? material.recording.specification_path : named;
+  if (path.empty()) {
+    return {};
+  }
+  auto file = read_specification_file(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  material.recording.inputs.push_back(file->input);
+  material.specification = std::move(file->specification);
+  return {};
+}
+
+}  // namespace
+
+Expected<VerificationMaterial> read_verification_material(const VerificationSources& sources) {
+  auto recording = read_recording(sources.recording);
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  VerificationMaterial material{std::move(*recording), {}, {}, {}, {}};
+  if (auto read = read_other_arm(sources.arm, material); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (auto read = read_artefacts_and_tips(material); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (auto read = read_specification(sources.specification, material); !read) {
+    return tl::unexpected(read.error());
+  }
+  return material;
+}
+
+}  // namespace artcal
