@@ -83,6 +83,19 @@ std::vector<Column> columns_of(const Recording& recording) {
   return columns;
 }
 
+std::string scan_text(const RecordedScan& scan) {
+  std::string text = "\n[[scan]]\n";
+  for (const auto& [key, value] : {std::pair("file", &scan.path),
+                                   {"placement", &scan.placement},
+                                   {"artefact", &scan.artefact},
+                                   {"probe", &scan.probe},
+                                   {"orientation", &scan.orientation},
+                                   {"repeat", &scan.repeat}}) {
+    text += value->empty() ? "" : fmt::format("{} = {}\n", key, toml_text(*value));
+  }
+  return text + (scan.temperature ? fmt::format("temperature = {:.4f}\n", *scan.temperature) : "");
+}
+
 }  // namespace
 
 std::string readings_file_text(const Recording& recording) {
@@ -119,14 +132,20 @@ std::string recording_file_text(const Recording& recording, const RecordingFiles
   for (std::size_t i = 0; i < files.artefacts.size(); ++i) {
     text += (i == 0 ? "" : ", ") + toml_text(files.artefacts[i]);
   }
-  text +=
-      fmt::format("]\nreadings = [{}]\nunits = {{ joint = \"deg\", length = \"mm\" }}\n", toml_text(files.readings));
+  text += "]\n";
+  if (!recording.readings.empty()) {
+    text += fmt::format("readings = [{}]\n", toml_text(files.readings));
+  }
+  text += "units = { joint = \"deg\", length = \"mm\" }\n";
   const Noise& noise = recording.noise;
   if (noise.reading) {
     text += fmt::format("\n[noise]\nreading = \"{} um\"\n", *noise.reading / units::micrometre);
   } else if (noise.encoder && noise.probing) {
     text += fmt::format("\n[noise]\nencoder = \"{:.9g} arcsec\"\nprobing = \"{:.9g} um\"\n",
                         *noise.encoder / units::arcsecond, *noise.probing / units::micrometre);
+  }
+  for (const RecordedScan& scan : recording.scans) {
+    text += scan_text(scan);
   }
   return text;
 }

@@ -18,8 +18,9 @@ struct RecordingFiles {
   std::string readings;
 };
 
-/// A recording.toml that names these files, with the recording's noise; `comment` (lines without #) comes
-/// first. The units are those of readings_file_text().
+/// A recording.toml that names these files, with the recording's noise and its scans, whose paths are written as they
+/// are, without tolerance, places or thinning; no readings file where there are no readings. `comment` (lines without
+/// #) comes first. The units are those of readings_file_text().
 std::string recording_file_text(const Recording& recording, const RecordingFiles& files,
                                 const std::vector<std::string>& comment);
 

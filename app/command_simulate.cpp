@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
+#include "acquisition/pcd_text.h"
 #include "acquisition/recording_text.h"
+#include "acquisition/tip_centres.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "app/output_folder.h"
@@ -27,11 +29,21 @@ struct Request {
   int threads = 0;
 };
 
+// Files that are made, not copied.
+std::vector<std::string> made_names(const SimulationPlan& plan) {
+  std::vector<std::string> names{"recording.toml", "readings.csv", "truth-arm.toml", "truth.json"};
+  for (int i = 1; i <= planned_scans(plan); ++i) {
+    names.push_back(fmt::format("scan-{}.pcd", i));
+  }
+  return names;
+}
+
 // The names of the files to be written. Artefacts keep theirs: where a file states no name for the artefact,
 // the file's own is it.
 Expected<RecordingFiles> names_of(const PlanFile& file) {
   RecordingFiles names{"arm.toml", {}, "readings.csv"};
-  std::vector<std::string> taken{"arm.toml", "readings.csv", "recording.toml", "truth-arm.toml", "truth.json"};
+  std::vector<std::string> taken = made_names(file.plan);
+  taken.emplace_back("arm.toml");
   for (const auto& path : file.artefacts) {
     const std::string name = path.filename().string();
     if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
@@ -63,6 +75,20 @@ Expected<FolderFiles> copies_of(const PlanFile& file, const RecordingFiles& name
   return files;
 }
 
+Expected<FolderFiles> scan_files(const Simulation& simulation) {
+  FolderFiles files;
+  const Recording& recording = simulation.recording;
+  const auto tips = tip_centres(recording, recording.arm);  // as the arm's own software would have them
+  if (!tips) {
+    return tl::unexpected(tips.error());
+  }
+  for (const SimulatedScan& scan : simulation.scans) {
+    files.emplace_back(scan.file, pcd_file_text(tips->in_base(Eigen::all, scan.readings),
+                                                recording.joints(Eigen::all, scan.readings)));
+  }
+  return files;
+}
+
 FolderFiles made_files(const PlanFile& file, const Simulation& simulation, const RecordingFiles& names,
                        const nlohmann::ordered_json& truth) {
   std::vector<std::string> comment{
@@ -72,10 +98,14 @@ FolderFiles made_files(const PlanFile& file, const Simulation& simulation, const
   if (!noise.is_given()) {
     comment.emplace_back("The noise is not the same for all joints, or zero: identify estimates it.");
   }
-  return {{"recording.toml", recording_file_text(simulation.recording, names, comment)},
-          {"readings.csv", readings_file_text(simulation.recording)},
-          {"truth-arm.toml", arm_file_text(simulation.arm.arm, std::nullopt)},
-          {"truth.json", json_text(truth)}};
+  const Recording written = recording_with_scans(simulation);
+  FolderFiles files{{"recording.toml", recording_file_text(written, names, comment)},
+                    {"truth-arm.toml", arm_file_text(simulation.arm.arm, std::nullopt)},
+                    {"truth.json", json_text(truth)}};
+  if (!written.readings.empty()) {
+    files.emplace_back("readings.csv", readings_file_text(written));
+  }
+  return files;
 }
 
 std::string summary(const PlanFile& file, const Simulation& simulation, const Request& request) {
@@ -119,7 +149,7 @@ Expected<int> simulate_and_write(const Request& request) {
     return tl::unexpected(checked.error());
   }
   FolderFiles all = *files;
-  for (const char* name : {"recording.toml", "readings.csv", "truth-arm.toml", "truth.json"}) {
+  for (const std::string& name : made_names(file->plan)) {
     all.emplace_back(name, "");
   }
   if (auto checked = check_folder(request.folder, all, request.force); !checked) {
@@ -135,8 +165,12 @@ Expected<int> simulate_and_write(const Request& request) {
     return tl::unexpected(simulation.error());
   }
   const auto truth = to_json(*file, *simulation);
-  for (auto& made : made_files(*file, *simulation, *names, truth)) {
-    files->push_back(std::move(made));
+  const auto scans = scan_files(*simulation);
+  if (!scans) {
+    return tl::unexpected(scans.error());
+  }
+  for (const FolderFiles& made : {made_files(*file, *simulation, *names, truth), *scans}) {
+    files->insert(files->end(), made.begin(), made.end());
   }
   if (auto written = write_folder(request.folder, *files, request.force); !written) {
     return tl::unexpected(written.error());

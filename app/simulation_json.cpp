@@ -68,6 +68,24 @@ Json placement_json(const RealPlacement& placement, const SimulationPlan& plan) 
           {"readings", placement.readings}};
 }
 
+// Which rows of a scan, from 1, are on which feature.
+Json scan_json(const SimulatedScan& scan, const Recording& recording) {
+  Json features = Json::array();
+  for (std::size_t i = 0; i < scan.readings.size(); ++i) {
+    const Reading& reading = recording.readings[static_cast<std::size_t>(scan.readings[i])];
+    const std::string& name = recording.features.name(reading.feature);
+    if (features.empty() || features.back()["name"] != name) {
+      features.push_back({{"name", name}, {"first_row", i + 1}, {"rows", 0}});
+    }
+    features.back()["rows"] = features.back()["rows"].get<int>() + 1;
+  }
+  return {{"file", scan.file},
+          {"placement", recording.placements.name(scan.placement)},
+          {"orientation", recording.orientations.name(scan.orientation)},
+          {"repeat", recording.repeats.name(scan.repeat)},
+          {"features", features}};
+}
+
 Json noise_json(const PlannedNoise& noise) {
   return {{"probing_mm", noise.probing},
           {"temperature_K", noise.temperature},
@@ -98,6 +116,10 @@ Json to_json(const PlanFile& file, const Simulation& simulation) {
   json["placements"] = Json::array();
   for (const RealPlacement& placement : simulation.placements) {
     json["placements"].push_back(placement_json(placement, plan));
+  }
+  json["scans"] = Json::array();
+  for (const SimulatedScan& scan : simulation.scans) {
+    json["scans"].push_back(scan_json(scan, simulation.recording));
   }
   return json;
 }

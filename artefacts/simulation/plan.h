@@ -73,6 +73,7 @@ struct PlannedProbing {
   int probe = 0;                ///< into Arm::probes
   Pattern pattern = Pattern::Spread;
   int points = 25;       ///< a feature
+  bool scan = false;     ///< balls only: the points of all features go into one scan, each taken from one posture
   int orientations = 0;  ///< postures of the wrist, each of which takes all points; 0: each point has its own
   int repeats = 1;
   Eigen::Vector3d pole_in_base = Eigen::Vector3d::UnitZ();  ///< of a ball's cap

@@ -178,6 +178,17 @@ void check_wishes(TomlTable& table, const PlannedProbing& probing, const Artefac
   }
 }
 
+void read_scan(TomlTable& table, PlannedProbing& probing, const Artefact& artefact) {
+  probing.scan = table.truth_or("scan", false);
+  const auto is_found = [&](int feature) {
+    const CertifiedFeature& ball = artefact.features[static_cast<std::size_t>(feature)];
+    return ball.kind == FeatureKind::Sphere && ball.radius;
+  };
+  if (probing.scan && !std::all_of(probing.features.begin(), probing.features.end(), is_found)) {
+    table.fail("scan", "a scan is searched for balls of certified diameter, and not all of these features are such");
+  }
+}
+
 PlannedProbing read_probing(TomlTable table, const SimulationPlan& plan, const PlanUnits& units) {
   PlannedProbing probing;
   probing.artefact = artefact_at(table, plan);
@@ -191,6 +202,7 @@ PlannedProbing read_probing(TomlTable table, const SimulationPlan& plan, const P
     probing.probe = 0;
   }
   read_pattern(table, probing, artefact);
+  read_scan(table, probing, artefact);
   probing.orientations = count_at(table, "orientations", 0, 0, 1000);
   probing.repeats = count_at(table, "repeats", 1, 1, most_points);
   probing.pole_in_base = direction_at(table, "pole").value_or(probing.pole_in_base);

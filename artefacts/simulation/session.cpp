@@ -110,7 +110,7 @@ std::optional<Taken> touch(const Scene& scene, const Job& job, int index, int co
   const PostureRequest request{scene.plan.probings[job.probing].probe, contact(scene, job, there) + chance.probing,
                                alternating(job.point + job.repeat), chance.encoders, 0.0};
   std::optional<Eigen::VectorXd> q;
-  if (job.orientation > 0) {
+  if (job.orientation > 0 || scene.plan.probings[static_cast<std::size_t>(job.probing)].scan) {
     // The reference temperature: the posture is to be the same for all of them.
     const auto start = orientation_posture(scene, job, certified(scene).reference_temperature);
     q = start ? find_posture_near(scene.arm, request, *start) : std::nullopt;

@@ -11,6 +11,7 @@
 #include "acquisition/sweep.h"
 #include "artefacts/simulation/posture.h"
 #include "artefacts/simulation/session.h"
+#include "artefacts/simulation/simulated_scans.h"
 #include "artefacts/simulation/true_arm.h"
 #include "core/in_quotes.h"
 
@@ -188,6 +189,9 @@ Expected<Simulation> simulate(const SimulationPlan& plan, int threads) {
     }
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       add_to(recording, plan, p, jobs[i], (*taken)[i]);
+      if (plan.probings[static_cast<std::size_t>(jobs[i].probing)].scan) {
+        add_to_scan(made, jobs[i].probing);
+      }
     }
     const double reference = plan.artefacts[placement.artefact].certified.reference_temperature;
     made.placements.push_back(

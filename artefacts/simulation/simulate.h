@@ -20,6 +20,14 @@ struct RealPlacement {
   int readings = 0;
 };
 
+/// What went into one scan: a placement, a posture and a repeat of a probing that asks for scans.
+struct SimulatedScan {
+  std::string file;                                ///< "scan-1.pcd", in order of appearance
+  int probing = 0;                                 ///< into SimulationPlan::probings
+  int placement = 0, orientation = 0, repeat = 0;  ///< into the labels of the recording
+  std::vector<int> readings;                       ///< into Recording::readings, feature after feature
+};
+
 /// A recording, and all that is true of it.
 struct Simulation {
   VirtualArm arm;                       ///< the true one
@@ -28,7 +36,15 @@ struct Simulation {
   /// What a technician would have: the nominal arm, readings with their noise. The noise is stated where a
   /// recording can state it: the same for all joints, and above zero for joints and probing.
   Recording recording;
+  std::vector<SimulatedScan> scans;  ///< of which readings; those are in the recording like all others
 };
+
+/// How many scans a plan makes.
+int planned_scans(const SimulationPlan& plan);
+
+/// The recording as it is written: readings of scans are not in it but what it says of its scans, whose paths are the
+/// names of their files.
+Recording recording_with_scans(const Simulation& simulation);
 
 /// Takes all readings of a plan, on `threads` threads (0: as many as the machine has). The same plan gives the
 /// same bits with any number of them.

@@ -51,6 +51,36 @@ TEST_F(RecordingTextTest, ReadsBackAsItWas) {
   EXPECT_EQ(again.readings[0].reference, Eigen::Vector3d(1.0, 2.0, 3.0));
 }
 
+TEST_F(RecordingTextTest, ScansReadBackAsTheyWere) {
+  testing::ExampleRecording example;
+  example.readings = "q1,q2\n1,2\n";
+  Recording recording = read(example.write(folder_));
+  recording.readings.clear();
+  recording.joints.resize(2, 0);
+  recording.scans.resize(2);
+  recording.scans[0].path = "scan-1.pcd";
+  recording.scans[0].placement = "a \"name\"";
+  recording.scans[1] = recording.scans[0];
+  recording.scans[1].path = "scan-2.pcd";
+  recording.scans[1].artefact = "bar";
+  recording.scans[1].probe = "stylus";
+  recording.scans[1].orientation = "3";
+  recording.scans[1].repeat = "2";
+  recording.scans[1].temperature = 20.5;
+  const Recording again = there_and_back(recording);
+  EXPECT_TRUE(again.readings.empty());
+  ASSERT_EQ(again.scans.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(std::filesystem::path(again.scans[i].path).filename(), recording.scans[i].path);
+    EXPECT_EQ(again.scans[i].placement, recording.scans[i].placement);
+    EXPECT_EQ(again.scans[i].artefact, recording.scans[i].artefact);
+    EXPECT_EQ(again.scans[i].probe, recording.scans[i].probe);
+    EXPECT_EQ(again.scans[i].orientation, recording.scans[i].orientation);
+    EXPECT_EQ(again.scans[i].repeat, recording.scans[i].repeat);
+    EXPECT_EQ(again.scans[i].temperature, recording.scans[i].temperature);
+  }
+}
+
 TEST_F(RecordingTextTest, LeavesOutWhatIsNotThere) {
   testing::ExampleRecording example;
   example.readings = "q1,q2\n1,2\n";

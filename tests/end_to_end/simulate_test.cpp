@@ -1,5 +1,6 @@
 // artcal simulate: what it writes, what it leaves alone, what it refuses.
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.h"
 #include "tests/support/example_recording.h"
@@ -41,6 +42,35 @@ TEST_F(Simulate, WritesARecordingThatIsIdentified) {
   const Ended identified = run({"identify", "made/recording.toml", "--no-leave-out"});
   EXPECT_EQ(identified.exit_code, 0) << identified.err;
   EXPECT_THAT(identified.out, HasSubstr("(as stated)"));
+}
+
+TEST_F(Simulate, AScanIsIdentifiedAndVerified) {
+  change_plan("pattern = \"iso25\"", "scan = true\npoints = 200\ncap = 100");
+  const Ended ended = run({"simulate", "simulate/plan.toml", "-o", "made"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(names_in("made"),
+              ElementsAre("arm.toml", "bar.toml", "recording.toml", "scan-1.pcd", "scan-2.pcd", "scan-3.pcd",
+                          "scan-4.pcd", "scan-5.pcd", "scan-6.pcd", "scan-7.pcd", "truth-arm.toml", "truth.json"));
+  const Ended identified = run({"identify", "made/recording.toml", "--no-leave-out", "-o", "found.toml"});
+  EXPECT_EQ(identified.exit_code, 0) << identified.err;
+  const auto lengths = [&](const std::string& arm) {
+    const Ended verified =
+        run({"verify", "made/recording.toml", "--standard", "iso10360-12", "--arm", arm, "--json", "-"});
+    EXPECT_EQ(verified.exit_code, 1) << verified.err;  // no plan
+    double worst = 0.0;
+    int count = 0;
+    const auto result = nlohmann::json::parse(verified.out);
+    for (const auto& value : result["values"]) {
+      worst = std::max(worst, std::abs(value["value_mm"].get<double>()));
+      ++count;
+    }
+    EXPECT_GT(count, 0);
+    return worst;
+  };
+  EXPECT_GT(lengths("made/arm.toml"), 0.3);
+  EXPECT_LT(lengths("made/truth-arm.toml"), 0.06);
+  EXPECT_LT(lengths("found.toml"), 0.06);
+  EXPECT_EQ(run({"simulate", "simulate/plan.toml", "-o", "made", "--force", "-q"}).exit_code, 0);
 }
 
 TEST_F(Simulate, TheSameSeedGivesTheSameBytes) {
