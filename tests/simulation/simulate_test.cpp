@@ -239,7 +239,7 @@ TEST(Simulate, EndStopsAreKept) {
   for (std::size_t j = 0; j < 6; ++j) {
     plan.arm.joints[j].low = -120.0 * units::degree;
     plan.arm.joints[j].high = 130.0 * units::degree;
-    plan.arm.joints[j].encoder_noise = 1e-3;
+    plan.arm.joints[j].encoder_noise = 3.0 * units::degree;  // many readings are this near to a stop
   }
   plan.arm.joints[5].low = 170.0 * units::degree;  // beyond half a turn
   plan.arm.joints[5].high = 400.0 * units::degree;
@@ -268,6 +268,27 @@ TEST(Simulate, DrawnPlacementsAreInsideTheReachAndUprightWhereAsked) {
   }
   EXPECT_LT((simulation.placements[0].base_from_artefact.rotation.col(2) - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   EXPECT_GT((simulation.placements[1].base_from_artefact.rotation.col(2) - Eigen::Vector3d::UnitZ()).norm(), 0.01);
+}
+
+// A wide plane: where its first point can be touched, others often cannot.
+TEST(Simulate, ADrawnPlacementIsOneWhereEveryReadingCouldBeTaken) {
+  PlannedArtefact table;
+  table.certified.name = "table";
+  table.certified.features = {testing::certified("A", FeatureKind::Plane)};
+  table.stated.resize(1);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SimulationPlan plan = testing::plan_for(table, 8);
+    plan.seed = seed;
+    plan.placements[0].base_from_artefact.reset();
+    plan.probings[0].extent = {1500.0, 1500.0};
+    const Simulation simulation = made(plan);
+    const Rigid& pose = simulation.placements[0].base_from_artefact;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d off = tip(simulation, i) - pose.translation;
+      EXPECT_NEAR(pose.rotation.col(2).dot(off), 3.0, 1e-9) << "seed " << seed << ", reading " << i;
+      EXPECT_LT(off.norm(), 750.0 * std::sqrt(2.0) + 3.0);
+    }
+  }
 }
 
 bool same_bits(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -321,6 +342,27 @@ TEST(Simulate, SaysWhatIsOutOfReach) {
                                                 "of the feature \"C\" of \"bar\" (at 2100.0, 0.0, 0.0 mm"));
   for (const int threads : {1, 5}) {
     EXPECT_EQ(simulate(plan, threads).error().text(), refused.error().text());
+  }
+}
+
+// The first takes the arm some milliseconds to give up, the second far longer: whoever is done last has no say.
+TEST(Simulate, NamesTheFirstReadingThatFailsNotTheLastToFail) {
+  PlannedArtefact both;
+  both.certified.name = "both";
+  both.certified.features = {testing::certified("A", FeatureKind::Anchor),
+                             testing::certified("B", FeatureKind::Sphere)};
+  both.stated.resize(2);
+  both.stated[0].at = Eigen::Vector3d(0.0, 0.0, 0.0);
+  both.stated[1].at = Eigen::Vector3d(-900.0, 0.0, 0.0);
+  SimulationPlan plan = testing::plan_for(both, 1);
+  plan.placements[0].base_from_artefact = Rigid{Eigen::Matrix3d::Identity(), {0.0, 0.0, 300.0}};
+  plan.probings[0].lengths = {0.0, 1e-9};
+  plan.arm.joints[0].low = -0.1;  // never towards the ball
+  plan.arm.joints[0].high = 0.1;
+  plan.arm.joints[1].low = 0.1;
+  plan.arm.joints[1].high = 0.2;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_THAT(simulate(plan, 4).error().text(), HasSubstr("does not reach point 1 of the feature \"A\""));
   }
 }
 
