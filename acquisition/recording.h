@@ -26,9 +26,15 @@ struct Noise {
 
 /// What a recording asks of its own identification; the command line may say more.
 struct IdentifyRequest {
+  bool asked = true;              ///< whether it is to be identified: it says so, or asks for nothing at all
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
   std::vector<std::string> free;  ///< parameters to identify although they are held by default
   std::string loss = "none";      ///< none, huber, cauchy
+};
+
+/// What a recording asks of its own verification.
+struct VerifyRequest {
+  std::string standard;  ///< iso10360-12, b89.4.22, sphere-plate; empty: it is not to be verified
 };
 
 /// One recording session: an arm and what it read. Joint angles in rad, as the encoders gave them.
@@ -44,6 +50,7 @@ struct Recording {
   std::vector<RecordedScan> scans;          ///< not read yet: artefacts/scan_readings.h makes readings of them
   Noise noise;
   IdentifyRequest identify;
+  VerifyRequest verify;
   std::vector<std::string> files;     ///< readings files, as Reading::file counts them
   std::vector<InputFile> inputs;      ///< every file read so far, in order
   std::vector<std::string> warnings;  ///< things that look wrong but may be right

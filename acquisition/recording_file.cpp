@@ -55,6 +55,15 @@ IdentifyRequest read_request(TomlTable table) {
   return request;
 }
 
+VerifyRequest read_verify_request(TomlTable table) {
+  VerifyRequest request{table.text("standard")};
+  if (request.standard != "iso10360-12" && request.standard != "b89.4.22" && request.standard != "sphere-plate") {
+    table.fail("standard", fmt::format("standard is {}, expected \"iso10360-12\", \"b89.4.22\" or \"sphere-plate\"",
+                                       in_quotes(request.standard)));
+  }
+  return request;
+}
+
 void check_temperature_unit(TomlTable& units) {
   if (const std::string unit = units.text_or("temperature", "degC"); unit != "degC") {
     units.fail("temperature", fmt::format("{} is not a unit known for `temperature`, expected degC", in_quotes(unit)));
@@ -125,6 +134,10 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   }
   recording.noise = read_noise(root.table("noise"));
   recording.identify = read_request(root.table("identify"));
+  if (root.has("verify")) {
+    recording.verify = read_verify_request(root.table("verify"));
+    recording.identify.asked = root.has("identify");
+  }
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }

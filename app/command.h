@@ -37,5 +37,8 @@ Run set_up_verify(CLI::App& parser);
 Run set_up_points(CLI::App& parser);
 Run set_up_simulate(CLI::App& parser);
 Run set_up_report(CLI::App& parser);
+Run set_up_batch(CLI::App& parser);
+Run set_up_store(CLI::App& parser);
+Run set_up_history(CLI::App& parser);
 
 }  // namespace artcal

@@ -9,6 +9,7 @@
 #include "app/dcc_identification.h"
 #include "app/dcc_request.h"
 #include "app/identification_report.h"
+#include "app/identification_run.h"
 #include "app/output.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
@@ -38,10 +39,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-Loss loss_of(const std::string& name) {
-  return name == "huber" ? Loss::Huber : name == "cauchy" ? Loss::Cauchy : Loss::None;
-}
-
 // The command line replaces the recording's noise as a whole: half of one and half of the other is neither.
 Expected<Noise> noise_of(const Request& request, const Recording& recording) {
   if (request.noise.empty() && request.encoder_noise.empty() && request.probing_noise.empty()) {
@@ -68,12 +65,10 @@ Expected<Noise> noise_of(const Request& request, const Recording& recording) {
 }
 
 Expected<IdentifyOptions> options_of(const Request& request, const Recording& recording) {
-  IdentifyOptions options;
-  options.hold = recording.identify.hold;
+  IdentifyOptions options = recorded_options(recording);
   options.hold.insert(options.hold.end(), request.hold.begin(), request.hold.end());
-  options.free = recording.identify.free;
   options.free.insert(options.free.end(), request.free.begin(), request.free.end());
-  options.loss = loss_of(request.loss.empty() ? recording.identify.loss : request.loss);
+  options.loss = request.loss.empty() ? options.loss : loss_named(request.loss);
   options.leave_out = !request.no_leave_out;
   options.threads = request.threads;
   return noise_of(request, recording).map([&](const Noise& noise) {
@@ -118,13 +113,11 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(checked.error());
   }
   const double reading_seconds = seconds_since(start);
-  auto result = identify(*recording, *constraints, *options);
+  const auto result = run_identification(*recording, *constraints, *options);
   if (!result) {
     return tl::unexpected(result.error());
   }
   const Timings timings{reading_seconds, seconds_since(start) - reading_seconds};
-  result->warnings.insert(result->warnings.begin(), constraints->warnings.begin(), constraints->warnings.end());
-  result->warnings.insert(result->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
   if (!request.arm_out.empty()) {
     if (auto written = write_file(request.arm_out, identified_arm_text(*recording, *result)); !written) {
       return tl::unexpected(written.error());

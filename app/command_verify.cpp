@@ -10,6 +10,7 @@
 #include "app/report/report.h"
 #include "app/verification_json.h"
 #include "app/verification_material.h"
+#include "app/verification_run.h"
 #include "app/verification_text.h"
 #include "app/version.h"
 #include "artefacts/artefact_text.h"
@@ -28,38 +29,6 @@ struct Request {
   std::string artefact_out;
   bool all = false;
 };
-
-Standard standard_of(const std::string& name) {
-  return name == "b89.4.22"       ? Standard::B89_4_22
-         : name == "sphere-plate" ? Standard::SpherePlate
-                                  : Standard::Iso10360_12;
-}
-
-bool is_shown(const VerificationResult& result) {
-  if (const auto& interim = result.interim) {
-    return interim->any_told() && !interim->any_significant() &&
-           result.verification.conclusion != Conclusion::NonConformityShown;
-  }
-  return result.verification.conclusion == Conclusion::ConformityShown;
-}
-
-Expected<VerificationResult> verified(const Request& request, VerificationMaterial& material) {
-  std::vector<TestValue> earlier;
-  if (!request.against.empty()) {
-    auto read = read_earlier_values(request.against, request.standard, material.recording.inputs);
-    if (!read) {
-      return tl::unexpected(read.error());
-    }
-    earlier = std::move(*read);
-    material.specification.plan = TestPlan{};  // a few lengths are enough
-  }
-  const Session session = material.session();
-  auto result = verify(session, standard_of(request.standard));
-  if (result && !request.against.empty()) {
-    result->interim = compare(result->verification.values, earlier);
-  }
-  return result;
-}
 
 // The plate that was calibrated by swinging it round, as an artefact file; nothing where none is asked for.
 Expected<std::string> calibrated_plate_text(const Request& request, const VerificationMaterial& material,
@@ -86,7 +55,7 @@ Expected<int> verify_and_tell(const Request& request) {
   if (!material) {
     return tl::unexpected(material.error());
   }
-  auto result = verified(request, *material);
+  const auto result = run_verification(*material, request.standard, request.against);
   if (!result) {
     return tl::unexpected(result.error());
   }
@@ -109,9 +78,6 @@ Expected<int> verify_and_tell(const Request& request) {
     }
   }
   const Session session = material->session();
-  auto& warnings = result->verification.warnings;
-  warnings.insert(warnings.begin(), material->constraints.warnings.begin(), material->constraints.warnings.end());
-  warnings.insert(warnings.begin(), material->recording.warnings.begin(), material->recording.warnings.end());
   if (*certificate) {
     if (auto written = write_file(request.dcc.out, dcc_xml(dcc_of(session, *result, **certificate))); !written) {
       return tl::unexpected(written.error());
@@ -140,8 +106,7 @@ Expected<int> verify_and_tell(const Request& request) {
 Run set_up_verify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("recording", request->sources.recording, "recording.toml")->required()->type_name("RECORDING");
-  parser.add_option("--standard", request->standard, "what to judge by")
-      ->required()
+  parser.add_option("--standard", request->standard, "what to judge by; else the recording's")
       ->check(CLI::IsMember({"iso10360-12", "b89.4.22", "sphere-plate"}));
   parser.add_option("--arm", request->sources.arm, "the arm to judge, such as an identified one; else the recording's")
       ->type_name("ARM");

@@ -26,6 +26,9 @@ constexpr std::array commands{
     artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
     artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
     artcal::Command{"report", "results as a page to look at and to print", artcal::set_up_report},
+    artcal::Command{"batch", "many recordings at once, their results into a store", artcal::set_up_batch},
+    artcal::Command{"history", "how an arm changed over time, what rests on a certificate", artcal::set_up_history},
+    artcal::Command{"store", "merge stores, print one", artcal::set_up_store},
 };
 
 constexpr int wrong_usage = 2;

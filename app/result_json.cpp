@@ -3,6 +3,7 @@
 #include "app/artefacts_told.h"
 #include "app/readings_json.h"
 #include "app/result_head.h"
+#include "app/result_names.h"
 #include "identification/lost_text.h"
 
 namespace artcal {
@@ -27,15 +28,6 @@ const char* name_of(ScaleState state) {
     case ScaleState::Determined: break;
   }
   return "determined";
-}
-
-const char* name_of(ParameterState state) {
-  switch (state) {
-    case ParameterState::Held: return "held";
-    case ParameterState::Lost: return "lost";
-    case ParameterState::Identified: break;
-  }
-  return "identified";
 }
 
 const char* name_of(ReadingKind kind) {
@@ -101,7 +93,7 @@ Json parameters_json(const Identification& result) {
                     {"nominal", parameter.nominal},
                     {"identified", parameter.identified},
                     {"standard_uncertainty", identified ? Json(parameter.u) : Json(nullptr)},
-                    {"state", name_of(parameter.state)}});
+                    {"state", result_name(parameter.state)}});
   }
   return json;
 }

@@ -5,31 +5,13 @@
 #include "app/artefacts_told.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
+#include "app/result_names.h"
 #include "core/text_file.h"
 
 namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::Conforms: return "conforms";
-    case Verdict::DoesNotConform: return "does_not_conform";
-    case Verdict::NothingProven: return "nothing_proven";
-    case Verdict::NotJudged: break;
-  }
-  return "not_judged";
-}
-
-const char* name_of(Conclusion conclusion) {
-  switch (conclusion) {
-    case Conclusion::ConformityShown: return "conformity_shown";
-    case Conclusion::NonConformityShown: return "non_conformity_shown";
-    case Conclusion::NotShown: break;
-  }
-  return "not_shown";
-}
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
@@ -62,7 +44,7 @@ Json value_json(const TestValue& value) {
           {"limit_mm", value.limit ? Json(*value.limit) : Json(nullptr)},
           {"u_mm", value.budget.total()},
           {"budget", budget_json(value.budget)},
-          {"verdict", name_of(value.verdict)},
+          {"verdict", result_name(value.verdict)},
           {"set_aside", value.set_aside},
           {"place", place_json(value.place)}};
 }
@@ -189,7 +171,7 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["tip_centres"] = session.tips.source == TipSource::Reported ? "reported" : "joints";
   json["specification"] = text_or_null(session.specification.name);
   json["decision_rule"] = text_of(verification.rule);
-  json["conclusion"] = name_of(verification.conclusion);
+  json["conclusion"] = result_name(verification.conclusion);
   json["values"] = list(verification.values, value_json);
   json["plates"] = list(result.plates, plate_json);
   json["plate_calibrations"] = list(result.calibrations, calibration_json);

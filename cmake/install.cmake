@@ -19,7 +19,7 @@ install(EXPORT artcalTargets NAMESPACE artcal:: DESTINATION ${config_dir} COMPON
 # Who links the layers must find what they link: cmake/dependencies.cmake again, without what only the
 # program uses.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/dependencies.cmake dependencies REGEX "^find_package\\(")
-list(FILTER dependencies EXCLUDE REGEX "CLI11|nlohmann_json")
+list(FILTER dependencies EXCLUDE REGEX "CLI11|nlohmann_json|TBB")
 list(TRANSFORM dependencies REPLACE "^find_package" "find_dependency")
 list(TRANSFORM dependencies REPLACE " REQUIRED" "")
 list(JOIN dependencies "\n" ARTCAL_FIND_DEPENDENCIES)

@@ -76,6 +76,25 @@ TEST_F(RecordingFile, ReadsWhatIsOptional) {
   EXPECT_EQ(recording->identify.loss, "huber");
 }
 
+TEST_F(RecordingFile, SaysWhatIsToBeDoneWithIt) {
+  const std::string bare = example.recording;
+  const auto asks = [&](const std::string& more) {
+    example.recording = bare + more;
+    const auto recording = read();
+    EXPECT_TRUE(recording) << more;
+    return recording ? std::pair(recording->identify.asked, recording->verify.standard)
+                     : std::pair(false, std::string());
+  };
+  EXPECT_EQ(asks(""), std::pair(true, std::string()));
+  EXPECT_EQ(asks("[identify]\n"), std::pair(true, std::string()));
+  EXPECT_EQ(asks("[verify]\nstandard = \"b89.4.22\"\n"), std::pair(false, std::string("b89.4.22")));
+  EXPECT_EQ(asks("[identify]\n[verify]\nstandard = \"sphere-plate\"\n"), std::pair(true, std::string("sphere-plate")));
+  example.recording = bare;
+  EXPECT_THAT(refusal_of("[verify]\n"), HasSubstr("standard"));
+  EXPECT_THAT(refusal_of("[verify]\nstandard = \"iso10360-2\"\n"), HasSubstr("standard is \"iso10360-2\", expected"));
+  EXPECT_THAT(refusal_of("[verify]\nstandard = \"b89.4.22\"\nlimit = 1\n"), HasSubstr("\"limit\" is not a key"));
+}
+
 TEST_F(RecordingFile, TheDateIsADayOrNotStated) {
   EXPECT_EQ(read()->date, "");
   example.recording = "date = 2026-03-10\n" + example.recording;

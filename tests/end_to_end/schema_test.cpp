@@ -171,6 +171,25 @@ TEST_F(ResultSchema, OfVerifications) {
   }
 }
 
+TEST_F(ResultSchema, OfBatches) {
+  take("gao2013");
+  write("bad.toml", "schema = \"artcal-recording/1\"\n");
+  check({"batch", "gao2013", "bad.toml", "--store", "s.sqlite", "--json", "-"}, "batch", 3);
+}
+
+TEST_F(ResultSchema, OfHistories) {
+  take("two-socket-bar");
+  take("iso10360-12");
+  for (const char* example : {"two-socket-bar", "iso10360-12"}) {
+    const std::string recording = std::string(example) + "/recording.toml";
+    write(std::string(example) + "/later-recording.toml", "date = 2030-01-01\n" + text_of(recording));
+  }
+  ASSERT_EQ(run({"batch", "two-socket-bar", "iso10360-12", "--store", "s.sqlite"}).exit_code, 0);
+  check({"history", "Franka Emika Panda", "--store", "s.sqlite", "--json", "-"}, "history");
+  const Json verification = Json::parse(run({"verify", "iso10360-12/recording.toml", "--json", "-"}).out);
+  check({"history", verification["arm"].get<std::string>(), "--store", "s.sqlite", "--json", "-"}, "history");
+}
+
 TEST_F(ResultSchema, OfPoints) {
   take("ball-bar");
   check({"points", "ball-bar/recording.toml", "--json", "-"}, "points");

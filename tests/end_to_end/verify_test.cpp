@@ -213,7 +213,11 @@ TEST_F(Verify, PointsAreAReadingsFileOfCoordinates) {
 
 TEST_F(Verify, WrongCallsAreRefused) {
   take("iso10360-12");
-  EXPECT_EQ(run({"verify", "iso10360-12/recording.toml"}).exit_code, 2);
+  take("ball-bar");
+  const Ended no_standard = run({"verify", "ball-bar/recording.toml"});
+  EXPECT_EQ(no_standard.exit_code, 2);
+  EXPECT_THAT(no_standard.err, HasSubstr("what is the arm to be judged by?"));
+  EXPECT_EQ(run({"verify", "iso10360-12/recording.toml"}).exit_code, 0) << "the recording says what by";
   EXPECT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-2"}).exit_code, 2);
   EXPECT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json",
                  "iso10360-12/specification.toml"})

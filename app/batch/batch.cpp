@@ -1,0 +1,155 @@
+#include "app/batch/batch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+
+namespace artcal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t written_at_once = 64;
+constexpr std::chrono::milliseconds longest_unwritten{500};
+
+std::string now_in_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+
+/// A file on its way, with what the store knows of it.
+struct Item {
+  std::string path;
+  std::optional<StoredFile> stored;
+};
+
+/// The store as several threads use it. The first error stops everything.
+class SharedStore {
+ public:
+  SharedStore(Store& store, Known known) : store_(store), known_(known) {}
+
+  std::optional<StoredFile> file(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    return kept(store_.file(path));
+  }
+  std::optional<StoredResult> result(const std::string& recording) {
+    const std::lock_guard lock(mutex_);
+    return kept(store_.result(recording));
+  }
+  void write(StoreEntry entry) {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(entry));
+    if (waiting_.size() >= written_at_once || Clock::now() - last_ > longest_unwritten) {
+      flush();
+    }
+  }
+  void finish() {
+    const std::lock_guard lock(mutex_);
+    flush();
+  }
+  [[nodiscard]] bool is_sound() {
+    const std::lock_guard lock(mutex_);
+    return !error_;
+  }
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+ private:
+  template <typename T>
+  std::optional<T> kept(Expected<std::optional<T>> found) {
+    if (!found && !error_) {
+      error_ = found.error();
+    }
+    return found ? std::move(*found) : std::nullopt;
+  }
+  void flush() {
+    if (!error_ && !waiting_.empty()) {
+      if (auto written = store_.write(waiting_, known_); !written) {
+        error_ = written.error();
+      }
+    }
+    waiting_.clear();
+    last_ = Clock::now();
+  }
+
+  Store& store_;
+  Known known_;
+  std::mutex mutex_;
+  std::vector<StoreEntry> waiting_;
+  Clock::time_point last_ = Clock::now();
+  std::optional<Error> error_;
+};
+
+int worse(int one, int other) {
+  const auto rank = [](int code) { return code == 3 ? 4 : code == 2 ? 3 : code == 4 ? 2 : code; };
+  return rank(one) >= rank(other) ? one : other;
+}
+
+void count(BatchSummary& summary, const RecordingOutcome& outcome) {
+  summary.identified += outcome.identified;
+  summary.verified += outcome.verified;
+  summary.known += outcome.was_known;
+  summary.not_shown += outcome.exit_code == 1;
+  summary.failed += outcome.exit_code > 1;
+  // What the recording itself asks wrongly is bad input to a batch.
+  summary.exit_code = worse(summary.exit_code, outcome.exit_code == 2 ? 3 : outcome.exit_code);
+  if (outcome.exit_code > 1 && summary.failures.size() < BatchSummary::most_listed) {
+    summary.failures.push_back({outcome.path, outcome.exit_code, outcome.error, false, false, false, {}});
+  }
+}
+
+}  // namespace
+
+Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const BatchRequest& request, Store& store,
+                                 const std::function<void(const RecordingOutcome&)>& tell) {
+  const std::size_t jobs =
+      request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : std::max(1u, std::thread::hardware_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, jobs);
+  SharedStore shared(store, request.resume ? Known::Keep : Known::Replace);
+  const FindResult find = request.resume ? [&](const std::string& key) { return shared.result(key); } : FindResult();
+  BatchSummary summary;
+  summary.files = files.size();
+  std::size_t next = 0;
+  const auto take = [&](tbb::flow_control& flow) -> Item {
+    if (next == files.size() || !shared.is_sound()) {
+      flow.stop();
+      return {};
+    }
+    const std::string& path = files[next++];
+    return {path, request.resume ? shared.file(path) : std::nullopt};
+  };
+  const auto run = [&](const Item& item) {
+    if (item.stored) {
+      if (auto known = known_outcome(item.path, *item.stored, request.options)) {
+        known->entry = {};  // the store says all this already
+        return std::move(*known);
+      }
+    }
+    return run_recording(item.path, request.options, find);
+  };
+  const auto keep = [&](RecordingOutcome outcome) {
+    if (!outcome.entry[StoreTable::Files].empty()) {
+      if (auto& recordings = outcome.entry[StoreTable::Recordings]; !recordings.empty()) {
+        outcome.entry[StoreTable::Stored] = {{recordings.front().front(), now_in_utc()}};
+      }
+      shared.write(std::move(outcome.entry));
+    }
+    count(summary, outcome);
+    tell(outcome);
+  };
+  tbb::parallel_pipeline(4 * jobs,
+                         tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order, take) &
+                             tbb::make_filter<Item, RecordingOutcome>(tbb::filter_mode::parallel, run) &
+                             tbb::make_filter<RecordingOutcome, void>(tbb::filter_mode::serial_in_order, keep));
+  shared.finish();
+  if (shared.error()) {
+    return tl::unexpected(*shared.error());
+  }
+  return summary;
+}
+
+}  // namespace artcal

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/batch/run_recording.h"
+#include "app/store/store.h"
+
+namespace artcal {
+
+struct BatchRequest {
+  BatchOptions options;
+  bool resume = false;  ///< leave alone what the store has a result of
+  int jobs = 0;         ///< at once; 0: as many as the machine has cores. The store does not depend on it
+};
+
+/// What became of a batch.
+struct BatchSummary {
+  std::size_t files = 0;
+  std::size_t identified = 0, verified = 0;
+  std::size_t known = 0;      ///< left alone: the store had the result
+  std::size_t not_shown = 0;  ///< verified, and conformity was not shown
+  std::size_t failed = 0;
+  int exit_code = 0;  ///< 3 where a file was refused, else 4 where one had no solution, else 1 where one was not shown
+  std::vector<RecordingOutcome> failures;  ///< in the order of the files, without their rows; at most most_listed
+  static constexpr std::size_t most_listed = 1000;
+};
+
+/// Runs every file and writes what becomes of it to the store, some at a time: a run that is killed has lost nothing
+/// but the last of them. `tell` hears of every outcome as it comes, one call at a time. Refused: what the store
+/// refuses; what was written before stays.
+Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const BatchRequest& request, Store& store,
+                                 const std::function<void(const RecordingOutcome&)>& tell);
+
+}  // namespace artcal

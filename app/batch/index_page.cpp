@@ -1,0 +1,82 @@
+#include "app/batch/index_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace artcal {
+namespace {
+
+constexpr const char* query =
+    "SELECT f.path, f.exit_code, f.error, r.arm, r.measured_on, v.standard, v.conclusion, i.rms_before_mm, "
+    "i.rms_after_mm, f.recording FROM files f LEFT JOIN recordings r ON r.recording = f.recording "
+    "LEFT JOIN verifications v ON v.recording = f.recording LEFT JOIN identifications i ON i.recording = f.recording";
+constexpr const char* warnings_query = "SELECT recording FROM remarks WHERE kind = 'warning'";
+constexpr const char* shares_query =
+    "SELECT recording, value_mm, limit_mm FROM verification_values WHERE limit_mm > 0 AND set_aside = 0";
+
+std::string text_of(const StoreValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : std::string();
+}
+
+std::optional<double> number_of(const StoreValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+IndexRow row_of(const StoreRow& row) {
+  IndexRow shown;
+  shown.recording = text_of(row[0]);
+  const long long exit_code = std::get<long long>(row[1]);
+  shown.outcome = exit_code == 0 ? IndexOutcome::Done : exit_code == 1 ? IndexOutcome::NotShown : IndexOutcome::Failed;
+  std::string conclusion = text_of(row[6]);
+  std::replace(conclusion.begin(), conclusion.end(), '_', ' ');
+  shown.message = text_of(row[2]).empty() ? conclusion : text_of(row[2]);
+  shown.arm = text_of(row[3]);
+  shown.date = text_of(row[4]);
+  shown.rms_before = number_of(row[7]);
+  shown.rms_after = number_of(row[8]);
+  shown.task = shown.rms_after ? "identification" : "";
+  if (const std::string standard = text_of(row[5]); !standard.empty()) {
+    shown.task += (shown.task.empty() ? "" : ", ") + standard;
+  }
+  return shown;
+}
+
+}  // namespace
+
+Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::string>& files) {
+  const auto found = store.rows(query);
+  const auto warnings = found ? store.rows(warnings_query) : found;
+  const auto shares = warnings ? store.rows(shares_query) : warnings;
+  if (!shares) {
+    return tl::unexpected(shares.error());
+  }
+  std::map<std::string, int> warnings_of;
+  for (const StoreRow& row : *warnings) {
+    ++warnings_of[text_of(row[0])];
+  }
+  std::map<std::string, double> largest_of;
+  for (const StoreRow& row : *shares) {
+    double& largest = largest_of[text_of(row[0])];
+    largest = std::max(largest, std::abs(*number_of(row[1])) / *number_of(row[2]));
+  }
+  std::vector<IndexRow> rows;
+  for (const StoreRow& row : *found) {
+    if (!std::binary_search(files.begin(), files.end(), text_of(row[0]))) {
+      continue;
+    }
+    rows.push_back(row_of(row));
+    const std::string recording = text_of(row[9]);
+    rows.back().warnings = warnings_of.contains(recording) ? warnings_of[recording] : 0;
+    if (largest_of.contains(recording)) {
+      rows.back().largest_of_limit = largest_of[recording];
+    }
+  }
+  std::sort(rows.begin(), rows.end(), [](const IndexRow& a, const IndexRow& b) { return a.recording < b.recording; });
+  return rows;
+}
+
+}  // namespace artcal

@@ -1,0 +1,186 @@
+#include "app/batch/run_recording.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "acquisition/recording_file.h"
+#include "app/batch/recording_key.h"
+#include "app/batch/result_rows.h"
+#include "app/identification_run.h"
+#include "app/verification_run.h"
+
+namespace artcal {
+namespace {
+
+constexpr int conformity_not_shown = 1;
+
+/// A recording with all that it refers to, and the name of its result.
+struct Job {
+  Recording recording;
+  Constraints constraints;                           ///< for an identification, where one is asked for
+  std::optional<VerificationMaterial> verification;  ///< where one is asked for
+  std::vector<InputFile> inputs;
+  std::string key;
+
+  [[nodiscard]] const Recording& whole() const { return verification ? verification->recording : recording; }
+  [[nodiscard]] const Constraints& bound() const { return verification ? verification->constraints : constraints; }
+};
+
+// A result does not depend on where the recording lies, and so neither do its words.
+std::string without_folder(std::string text, const std::filesystem::path& folder) {
+  const std::string prefix = (folder / "").string();
+  for (std::size_t at = prefix.empty() ? std::string::npos : text.find(prefix); at != std::string::npos;
+       at = text.find(prefix, at)) {
+    text.erase(at, prefix.size());
+  }
+  return text;
+}
+
+Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& options) {
+  auto recording = read_recording(path);
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  Job job{std::move(*recording), {}, {}, {}, {}};
+  if (job.recording.identify.asked) {
+    auto constraints = read_constraints(job.recording);
+    if (!constraints) {
+      return tl::unexpected(constraints.error());
+    }
+    job.constraints = std::move(*constraints);
+  }
+  if (!job.recording.verify.standard.empty()) {
+    // A verification makes other readings of scans than an identification.
+    auto material = read_verification_material({path.string(), "", ""});
+    if (!material) {
+      return tl::unexpected(material.error());
+    }
+    job.verification = std::move(*material);
+  }
+  job.inputs = seen_from(path.parent_path(), job.whole().inputs);
+  job.key = recording_key(job.inputs, options);
+  return job;
+}
+
+void note_error(RecordingOutcome& outcome, const Error& error) {
+  outcome.exit_code = std::max(outcome.exit_code, static_cast<int>(error.code));
+  outcome.error += (outcome.error.empty() ? "" : "; ") + error.text();
+}
+
+void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& options) {
+  IdentifyOptions asked = recorded_options(job.recording);
+  asked.leave_out = options.leave_out;
+  asked.threads = 1;
+  const auto result = run_identification(job.recording, job.constraints, asked);
+  if (!result) {
+    note_error(outcome, result.error());
+    return;
+  }
+  outcome.identified = true;
+  add_identification(outcome.entry, job.key, *result);
+  add_remarks(outcome.entry, job.key, "warning", result->warnings);
+}
+
+void do_verify(RecordingOutcome& outcome, Job& job) {
+  const auto result = run_verification(*job.verification, "", "");
+  if (!result) {
+    note_error(outcome, result.error());
+    return;
+  }
+  outcome.verified = true;
+  outcome.exit_code = std::max(outcome.exit_code, is_shown(*result) ? 0 : conformity_not_shown);
+  add_verification(outcome.entry, job.key, *result, job.verification->specification.name);
+  add_remarks(outcome.entry, job.key, "warning", result->verification.warnings);
+  add_remarks(outcome.entry, job.key, "missing", result->verification.missing);
+}
+
+void finish(RecordingOutcome& outcome, const std::string& key, const std::filesystem::path& folder) {
+  outcome.error = without_folder(outcome.error, folder);
+  const StoreValue error = outcome.error.empty() ? StoreValue() : StoreValue(outcome.error);
+  const StoreValue recording = key.empty() ? StoreValue() : StoreValue(key);
+  const long long exit_code = outcome.exit_code;
+  if (auto& rows = outcome.entry[StoreTable::Recordings]; !rows.empty()) {
+    rows.front()[7] = exit_code;
+    rows.front()[8] = error;
+  }
+  for (StoreRow& remark : outcome.entry[StoreTable::Remarks]) {
+    remark[3] = without_folder(std::get<std::string>(remark[3]), folder);
+  }
+  outcome.entry[StoreTable::Files] = {{outcome.path, recording, exit_code, error}};
+}
+
+RecordingOutcome refused(const std::string& path, const Error& error) {
+  RecordingOutcome outcome;
+  outcome.path = path;
+  note_error(outcome, error);
+  finish(outcome, "", std::filesystem::path(path).parent_path());
+  return outcome;
+}
+
+RecordingOutcome known(const std::string& path, const std::string& key, const StoredResult& result) {
+  RecordingOutcome outcome;
+  outcome.path = path;
+  outcome.exit_code = result.exit_code;
+  outcome.error = result.error;
+  outcome.was_known = true;
+  finish(outcome, key, std::filesystem::path(path).parent_path());
+  return outcome;
+}
+
+RecordingOutcome run(const std::string& path, const BatchOptions& options, const FindResult& find) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  auto job = read_job(path, options);
+  if (!job) {
+    return refused(path, job.error());
+  }
+  if (find) {
+    if (const auto result = find(job->key)) {
+      return known(path, job->key, *result);
+    }
+  }
+  RecordingOutcome outcome;
+  outcome.path = path;
+  add_recording(outcome.entry, job->key, options.text(), job->whole(), job->bound(), job->inputs);
+  if (job->recording.identify.asked) {
+    do_identify(outcome, *job, options);
+  }
+  if (job->verification) {
+    do_verify(outcome, *job);
+  }
+  if (const std::string changed = first_changed(folder, job->inputs); !changed.empty()) {
+    return refused(path, {ErrorCode::BadInput,
+                          "the file changed while the recording was being processed; run this "
+                          "again when nobody writes to it any more",
+                          changed});
+  }
+  finish(outcome, job->key, folder);
+  return outcome;
+}
+
+}  // namespace
+
+RecordingOutcome run_recording(const std::string& path, const BatchOptions& options, const FindResult& find) {
+  try {
+    return run(path, options, find);
+  } catch (const std::bad_alloc&) {
+    return refused(path, {ErrorCode::BadInput, "there is not enough memory for this recording", ""});
+  } catch (const std::exception& error) {
+    return refused(path, {ErrorCode::BadInput, fmt::format("internal error: {}", error.what()), ""});
+  }
+}
+
+std::optional<RecordingOutcome> known_outcome(const std::string& path, const StoredFile& file,
+                                              const BatchOptions& options) {
+  if (file.recording.empty()) {
+    return std::nullopt;
+  }
+  const auto now = hashed_now(std::filesystem::path(path).parent_path(), file.inputs);
+  if (now.empty() || recording_key(now, options) != file.recording) {
+    return std::nullopt;
+  }
+  return known(path, file.recording, file.result);
+}
+
+}  // namespace artcal

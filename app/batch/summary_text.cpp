@@ -1,0 +1,62 @@
+#include "app/batch/summary_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/result_head.h"
+#include "app/store/stored_text.h"
+#include "app/table.h"
+#include "core/in_quotes.h"
+
+namespace artcal {
+namespace {
+
+constexpr std::size_t most_told = 20;
+
+}  // namespace
+
+std::string to_text(const BatchSummary& summary, const std::string& store) {
+  Table table({"recordings", fmt::format("{}", summary.files)});
+  const auto add = [&](const char* what, std::size_t count) {
+    if (count > 0) {
+      table.add({what, fmt::format("{}", count)});
+    }
+  };
+  add("  known before, left alone", summary.known);
+  add("  identified", summary.identified);
+  add("  verified", summary.verified);
+  add("  conformity not shown", summary.not_shown);
+  add("  failed", summary.failed);
+  std::string text = table.text();
+  if (!summary.failures.empty()) {
+    text += "\nFailed:\n";
+  }
+  for (std::size_t i = 0; i < std::min(most_told, summary.failures.size()); ++i) {
+    const RecordingOutcome& failure = summary.failures[i];
+    text +=
+        fmt::format("  {}\n    {}\n", in_one_line(valid_utf8(failure.path)), at_most(400, valid_utf8(failure.error)));
+  }
+  if (summary.failed > most_told) {
+    text += fmt::format("  … {} more; they are in the store: files with an error\n", summary.failed - most_told);
+  }
+  return text + fmt::format("\nThe results are in {}.\n", store);
+}
+
+nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& store) {
+  nlohmann::ordered_json json = result_head("batch");
+  json["store"] = store;
+  json["files"] = summary.files;
+  json["known"] = summary.known;
+  json["identified"] = summary.identified;
+  json["verified"] = summary.verified;
+  json["not_shown"] = summary.not_shown;
+  json["failed"] = summary.failed;
+  json["failures"] = nlohmann::ordered_json::array();
+  for (const RecordingOutcome& failure : summary.failures) {
+    json["failures"].push_back({{"path", failure.path}, {"exit_code", failure.exit_code}, {"error", failure.error}});
+  }
+  return json;
+}
+
+}  // namespace artcal

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "app/batch/batch.h"
+
+namespace artcal {
+
+/// What a person reads at the end: the counts, then what failed and why.
+std::string to_text(const BatchSummary& summary, const std::string& store);
+
+/// The table `batch` of docs/result-schema.md.
+nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& store);
+
+}  // namespace artcal

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "app/store/store.h"
+#include "artefacts/verification/interim.h"
+
+namespace artcal {
+
+/// A parameter as a calibration left it, mm or rad.
+struct CalibratedParameter {
+  std::string name, unit, state;
+  double value = 0.0;
+  double u = 0.0;  ///< standard uncertainty; 0 unless identified
+};
+
+/// What all results of a store have.
+struct HistoryEntry {
+  std::string recording;                  ///< name of the result
+  std::string date;                       ///< of the measurement; empty: not stated
+  std::string name;                       ///< of the recording
+  std::vector<std::string> certificates;  ///< "ball bar "X", certificate 4711 of Laboratory", sorted
+};
+
+struct Calibration {
+  HistoryEntry entry;
+  double rms_before = 0.0, rms_after = 0.0;  ///< mm
+  std::vector<CalibratedParameter> parameters;
+  Eigen::MatrixXd covariance;  ///< of the identified ones, in their order
+};
+
+struct PastVerification {
+  HistoryEntry entry;
+  std::string standard, conclusion;
+  std::vector<TestValue> values;  ///< with what compare() asks for
+};
+
+/// How a parameter changed from one calibration to the next.
+struct ParameterChange {
+  std::string name, unit;
+  double then = 0.0, now = 0.0;
+  double u = 0.0;            ///< √(u²(then) + u²(now))
+  bool significant = false;  ///< beyond 2·u
+};
+
+/// What changed between two calibrations of an arm. Parameters hang together: readings tell theta6 + a6/l, and which of
+/// the two takes what depends on the value at which the other is held. Therefore only calibrations that identified the
+/// same parameters and held the others at the same values are compared.
+struct CalibrationStep {
+  std::size_t then = 0, now = 0;  ///< into ArmHistory::calibrations
+  std::string not_comparable;     ///< why not; empty where it is
+  std::vector<ParameterChange> changes;
+  double chi_squared = 0.0;            ///< of all changes together, by the sum of both covariances
+  double limit = 0.0;                  ///< what chance stays below in 95 of 100 cases
+  std::vector<std::string> in_common;  ///< certificates that both rest on
+  [[nodiscard]] bool significant() const { return chi_squared > limit; }
+};
+
+/// What changed between two verifications by the same standard.
+struct VerificationStep {
+  std::size_t then = 0, now = 0;  ///< into ArmHistory::verifications
+  InterimCheck check;
+  std::vector<std::string> in_common;
+};
+
+/// An arm over time, by the results that stand (docs/store.md), the oldest first; those without a date before all.
+struct ArmHistory {
+  std::string arm;
+  std::vector<Calibration> calibrations;
+  std::vector<PastVerification> verifications;
+  std::vector<CalibrationStep> calibration_steps;
+  std::vector<VerificationStep> verification_steps;
+};
+
+/// Refused: an arm that no result of the store is of; the arms that there are, are named.
+Expected<ArmHistory> read_history(Store& store, const std::string& arm);
+
+/// What changed from `then` to `now`.
+CalibrationStep step_between(const Calibration& then, const Calibration& now);
+
+}  // namespace artcal

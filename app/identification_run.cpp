@@ -1,0 +1,29 @@
+#include "app/identification_run.h"
+
+namespace artcal {
+
+Loss loss_named(const std::string& name) {
+  return name == "huber" ? Loss::Huber : name == "cauchy" ? Loss::Cauchy : Loss::None;
+}
+
+IdentifyOptions recorded_options(const Recording& recording) {
+  IdentifyOptions options;
+  options.hold = recording.identify.hold;
+  options.free = recording.identify.free;
+  options.loss = loss_named(recording.identify.loss);
+  options.noise = recording.noise;
+  return options;
+}
+
+Expected<Identification> run_identification(const Recording& recording, const Constraints& constraints,
+                                            const IdentifyOptions& options) {
+  auto result = identify(recording, constraints, options);
+  if (result) {
+    auto& warnings = result->warnings;
+    warnings.insert(warnings.begin(), constraints.warnings.begin(), constraints.warnings.end());
+    warnings.insert(warnings.begin(), recording.warnings.begin(), recording.warnings.end());
+  }
+  return result;
+}
+
+}  // namespace artcal

@@ -1,0 +1,226 @@
+#include "app/store/database.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <soci/postgresql/soci-postgresql.h>
+#include <soci/soci.h>
+#include <soci/sqlite3/soci-sqlite3.h>
+
+#include "app/store/stored_text.h"
+#include "app/store/where.h"
+#include "core/in_quotes.h"
+
+namespace artcal {
+namespace {
+
+constexpr int wait_seconds = 60;
+
+/// What SOCI binds a row's values from; their places must not move.
+class Buffers {
+ public:
+  explicit Buffers(std::vector<StoreColumn> columns)
+      : columns_(std::move(columns)),
+        texts_(columns_.size()),
+        wholes_(columns_.size()),
+        reals_(columns_.size()),
+        indicators_(columns_.size(), soci::i_null) {}
+
+  void bind_to(soci::statement& statement) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string name = fmt::format("v{}", i);
+      switch (columns_[i].kind) {
+        case ColumnKind::Text: statement.exchange(soci::use(texts_[i], indicators_[i], name)); break;
+        case ColumnKind::Whole: statement.exchange(soci::use(wholes_[i], indicators_[i], name)); break;
+        case ColumnKind::Real: statement.exchange(soci::use(reals_[i], indicators_[i], name)); break;
+      }
+    }
+  }
+
+  void fill(const StoreRow& row) {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      indicators_[i] = std::holds_alternative<std::monostate>(row.at(i)) ? soci::i_null : soci::i_ok;
+      if (indicators_[i] == soci::i_null) {
+        continue;
+      }
+      switch (columns_[i].kind) {
+        case ColumnKind::Text: texts_[i] = valid_utf8(std::get<std::string>(row[i])); break;
+        case ColumnKind::Whole: wholes_[i] = std::get<long long>(row[i]); break;
+        case ColumnKind::Real: reals_[i] = std::get<double>(row[i]); break;
+      }
+    }
+  }
+
+ private:
+  std::vector<StoreColumn> columns_;
+  std::vector<std::string> texts_;
+  std::vector<long long> wholes_;
+  std::vector<double> reals_;
+  std::vector<soci::indicator> indicators_;
+};
+
+std::vector<StoreColumn> columns_of(const StoreRow& values) {
+  std::vector<StoreColumn> columns;
+  for (const StoreValue& value : values) {
+    columns.push_back({"", std::holds_alternative<double>(value)      ? ColumnKind::Real
+                           : std::holds_alternative<long long>(value) ? ColumnKind::Whole
+                                                                      : ColumnKind::Text});
+  }
+  return columns;
+}
+
+StoreValue value_at(const soci::row& row, std::size_t i) {
+  if (row.get_indicator(i) == soci::i_null) {
+    return {};
+  }
+  switch (row.get_properties(i).get_data_type()) {
+    case soci::dt_double: return row.get<double>(i);
+    case soci::dt_integer: return static_cast<long long>(row.get<int>(i));
+    case soci::dt_long_long: return row.get<long long>(i);
+    case soci::dt_string: return row.get<std::string>(i);
+    default:
+      throw DatabaseError(fmt::format("column {} is of a kind that no store has", row.get_properties(i).get_name()));
+  }
+}
+
+// One line of what the database says.
+std::string reason_of(const std::exception& error) {
+  const auto* of_soci = dynamic_cast<const soci::soci_error*>(&error);
+  std::string text = of_soci != nullptr ? of_soci->get_error_message() : error.what();
+  for (const std::string_view prefix :
+       {"sqlite3_statement_backend::loadOne: ", "Cannot establish connection to the database. ",
+        "sqlite3_statement_backend::prepare: "}) {
+    if (text.starts_with(prefix)) {
+      text.erase(0, prefix.size());
+    }
+  }
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
+    text.pop_back();
+  }
+  return in_one_line(
+      text.find("database is locked") != std::string::npos
+          ? fmt::format("another process has kept it locked for {} s; wait for it and run this again", wait_seconds)
+      : text.find("disk is full") != std::string::npos ? "the disk is full"
+                                                       : text);
+}
+
+// Everything that SOCI throws leaves as DatabaseError.
+template <typename Work>
+auto translated(Work work) {
+  try {
+    return work();
+  } catch (const soci::soci_error& error) {
+    throw DatabaseError(reason_of(error));
+  }
+}
+
+}  // namespace
+
+struct Database::Connection {
+  soci::session session;
+  bool is_postgresql = false;
+  std::string name;
+};
+
+Database::Database(std::unique_ptr<Connection> connection) : connection_(std::move(connection)) {}
+Database::Database(Database&&) noexcept = default;
+Database& Database::operator=(Database&&) noexcept = default;
+Database::~Database() = default;
+
+bool Database::is_postgresql() const { return connection_->is_postgresql; }
+const std::string& Database::name() const { return connection_->name; }
+
+Expected<Database> Database::open(const std::string& where, Access access) {
+  auto place = understand_store(where);
+  if (!place) {
+    return tl::unexpected(place.error());
+  }
+  auto connection = std::make_unique<Connection>();
+  connection->is_postgresql = place->is_postgresql;
+  connection->name = place->name;
+  std::error_code ignored;
+  if (!place->is_postgresql && access == Access::Read && !std::filesystem::exists(place->file, ignored)) {
+    return bad_input("there is no such store; artcal batch --store makes one", place->name);
+  }
+  try {
+    if (place->is_postgresql) {
+      connection->session.open(*soci::factory_postgresql(), where);
+      connection->session << "SET client_min_messages TO warning";
+    } else {
+      connection->session.open(*soci::factory_sqlite3(),
+                               fmt::format("dbname=\"{}\" timeout={}", place->file, wait_seconds));
+      connection->session << "PRAGMA foreign_keys = ON";
+      // Reads the first page: what is no database is found now.
+      connection->session << "PRAGMA user_version";
+    }
+  } catch (const std::exception& error) {
+    return bad_input(fmt::format("the store cannot be opened: {}", reason_of(error)), place->name);
+  }
+  return Database(std::move(connection));
+}
+
+void Database::run(const std::string& sql, const StoreRow& values) { run_for(sql, columns_of(values), {values}); }
+
+void Database::run_for(const std::string& sql, const std::vector<StoreColumn>& columns,
+                       const std::vector<StoreRow>& rows) {
+  translated([&] {
+    Buffers buffers(columns);
+    soci::statement statement(connection_->session);
+    buffers.bind_to(statement);
+    statement.alloc();
+    statement.prepare(sql);
+    statement.define_and_bind();
+    for (const StoreRow& row : rows) {
+      buffers.fill(row);
+      statement.execute(true);
+    }
+  });
+}
+
+void Database::query(const std::string& sql, const StoreRow& values, const std::function<void(StoreRow)>& take) {
+  translated([&] {
+    Buffers buffers(columns_of(values));
+    buffers.fill(values);
+    soci::row found;
+    soci::statement statement(connection_->session);
+    buffers.bind_to(statement);
+    statement.exchange(soci::into(found));
+    statement.alloc();
+    statement.prepare(sql);
+    statement.define_and_bind();
+    statement.execute();
+    while (statement.fetch()) {
+      StoreRow row;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        row.push_back(value_at(found, i));
+      }
+      take(std::move(row));
+    }
+  });
+}
+
+std::vector<StoreRow> Database::rows(const std::string& sql, const StoreRow& values) {
+  std::vector<StoreRow> all;
+  query(sql, values, [&](StoreRow row) { all.push_back(std::move(row)); });
+  return all;
+}
+
+void Database::in_transaction(const std::function<void()>& work) {
+  run(is_postgresql() ? "BEGIN" : "BEGIN IMMEDIATE");
+  try {
+    if (is_postgresql()) {
+      // One writer at a time, so that none finds rows that another is about to write. The number is this program's.
+      rows("SELECT 1 FROM (SELECT pg_advisory_xact_lock(6172746361)) AS waited");
+    }
+    work();
+    run("COMMIT");
+  } catch (...) {
+    try {
+      run("ROLLBACK");
+    } catch (const DatabaseError&) {  // a full disk has rolled back already
+    }
+    throw;
+  }
+}
+
+}  // namespace artcal

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/store/shape.h"
+#include "core/error.h"
+
+namespace artcal {
+
+/// A connection to SQLite or PostgreSQL, and nothing of what is in it. What goes wrong after opening is thrown as
+/// DatabaseError; the store makes an Error of it.
+class Database {
+ public:
+  enum class Access {
+    Read,   ///< what is not there is not made
+    Write,  ///< a file that is not there is made
+  };
+  /// `where` is postgresql://… or the path of a file. Refused: a file that is no database, a server that does not
+  /// answer.
+  static Expected<Database> open(const std::string& where, Access access);
+
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
+  [[nodiscard]] bool is_postgresql() const;
+  /// The name that messages give it; of a URL without its password.
+  [[nodiscard]] const std::string& name() const;
+
+  void run(const std::string& sql, const StoreRow& values = {});
+  /// Runs the statement once for each row; ":v0", ":v1", … stand for its values, which are of these kinds or NULL.
+  void run_for(const std::string& sql, const std::vector<StoreColumn>& columns, const std::vector<StoreRow>& rows);
+  /// Hands over the rows of a query one by one.
+  void query(const std::string& sql, const StoreRow& values, const std::function<void(StoreRow)>& take);
+  std::vector<StoreRow> rows(const std::string& sql, const StoreRow& values = {});
+
+  /// Begins a transaction that may write, does the work, commits; rolls back if the work throws. Waits for others
+  /// that write to the same store, for a minute.
+  void in_transaction(const std::function<void()>& work);
+
+ private:
+  struct Connection;
+  explicit Database(std::unique_ptr<Connection> connection);
+  std::unique_ptr<Connection> connection_;
+};
+
+struct DatabaseError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace artcal

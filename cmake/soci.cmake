@@ -1,0 +1,11 @@
+# SOCI with its SQLite and PostgreSQL backends; Debian's libsoci-dev has no CMake package. Only the program uses it.
+find_path(SOCI_INCLUDE_DIR soci/soci.h REQUIRED)
+find_path(LIBPQ_INCLUDE_DIR libpq-fe.h PATH_SUFFIXES postgresql REQUIRED)
+find_library(SOCI_CORE_LIBRARY soci_core REQUIRED)
+find_library(SOCI_SQLITE3_LIBRARY soci_sqlite3 REQUIRED)
+find_library(SOCI_POSTGRESQL_LIBRARY soci_postgresql REQUIRED)
+if(NOT TARGET artcal::soci)
+  add_library(artcal::soci INTERFACE IMPORTED)
+  target_include_directories(artcal::soci SYSTEM INTERFACE ${SOCI_INCLUDE_DIR} ${LIBPQ_INCLUDE_DIR})
+  target_link_libraries(artcal::soci INTERFACE ${SOCI_SQLITE3_LIBRARY} ${SOCI_POSTGRESQL_LIBRARY} ${SOCI_CORE_LIBRARY})
+endif()

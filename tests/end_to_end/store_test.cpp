@@ -1,0 +1,155 @@
+// The store as databases see it: every question of docs/store.md, on SQLite and on PostgreSQL.
+#include <sqlite3.h>
+
+#include <cstdio>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/archive.h"
+#include "tests/support/postgresql_server.h"
+
+namespace artcal {
+namespace {
+
+using testing::Ended;
+using ::testing::HasSubstr;
+
+// Rows that a query gives, by SQLite itself; -1 where it is refused.
+int sqlite_rows(const std::filesystem::path& store, const std::string& sql) {
+  sqlite3* database = nullptr;
+  int rows = -1;
+  if (sqlite3_open_v2(store.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
+    rows = 0;
+    const auto count = [](void* counted, int, char**, char**) { return ++*static_cast<int*>(counted), 0; };
+    rows = sqlite3_exec(database, sql.c_str(), count, &rows, nullptr) == SQLITE_OK ? rows : -1;
+  }
+  sqlite3_close(database);
+  return rows;
+}
+
+std::vector<std::string> documented_queries() {
+  std::istringstream lines(testing::read_all(std::string(ARTCAL_SOURCE_DIR) + "/docs/store.md"));
+  std::vector<std::string> queries;
+  bool in_block = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("    SELECT")) {
+      queries.emplace_back();
+      in_block = true;
+    }
+    in_block = in_block && line.starts_with("    ");
+    if (in_block) {
+      queries.back() += line.substr(4) + "\n";
+    }
+  }
+  return queries;
+}
+
+class StoreTest : public testing::ArchiveTest {
+ protected:
+  void file_away_some_of_each() const {
+    file_away_quick_ones(3);
+    file_away("two-socket-bar", "robot", "");
+    for (int i = 0; i < 2; ++i) {
+      const std::string name = fmt::format("test-{}", i);
+      file_away("iso10360-12", name, fmt::format("date = 203{}-05-01\n", i));
+      const std::string bar = "archive/" + name + "/bar.toml";
+      write(bar, text_of(bar) +
+                     "\n[certificate]\nnumber = \"4711\"\nlaboratory = \"Example Laboratory\"\n"
+                     "date = 2026-03-02\nvalid_until = 2028-03-01\n");
+    }
+    write("archive/broken/recording.toml", "");
+  }
+};
+
+TEST_F(StoreTest, SqliteAnswersEveryDocumentedQuestion) {
+  file_away_some_of_each();
+  ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 3);
+  const auto queries = documented_queries();
+  EXPECT_GE(queries.size(), 11u);
+  for (const std::string& query : queries) {
+    EXPECT_GT(sqlite_rows(file("s.sqlite"), query), 0) << query;
+  }
+}
+
+TEST_F(StoreTest, EveryTableIsDocumentedWithItsColumns) {
+  file_away_quick_ones(1);
+  ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 0);
+  const std::string page = testing::read_all(std::string(ARTCAL_SOURCE_DIR) + "/docs/store.md");
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open_v2(file("s.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr), SQLITE_OK);
+  std::vector<std::string> columns;
+  const auto take = [](void* all, int, char** values, char**) {
+    static_cast<std::vector<std::string>*>(all)->push_back(std::string("`") + values[0] + "`");
+    return 0;
+  };
+  sqlite3_exec(database,
+               "SELECT name FROM sqlite_master WHERE type = 'table' UNION SELECT c.name FROM sqlite_master m, "
+               "pragma_table_info(m.name) c WHERE m.type = 'table' AND m.name <> 'artcal_migrations'",
+               take, &columns, nullptr);
+  sqlite3_close(database);
+  EXPECT_GT(columns.size(), 60u);
+  for (const std::string& column : columns) {
+    if (!column.starts_with("`u_")) {  // the parts of a budget are told by the first and the last
+      EXPECT_THAT(page, HasSubstr(column));
+    }
+  }
+}
+
+class OnPostgresql : public StoreTest {
+ protected:
+  void SetUp() override {
+    if (!server_.is_installed()) {
+      GTEST_SKIP() << "PostgreSQL IS NOT INSTALLED: nothing was tested on it (apt-get install postgresql)";
+    }
+    ASSERT_TRUE(server_.runs());
+  }
+  testing::PostgresqlServer server_;
+};
+
+TEST_F(OnPostgresql, TheSameRowsAndAnswersAsOnSqlite) {
+  file_away_some_of_each();
+  const std::string url = server_.url();
+  ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 3);
+  const Ended ended = batch({"--store", url, "-q"});
+  ASSERT_EQ(ended.exit_code, 3) << ended.err;
+  EXPECT_EQ(dump(url), dump("s.sqlite"));
+  for (const std::string& query : documented_queries()) {
+    write("query.sql", query + ";");
+    std::filesystem::permissions(folder("work"), std::filesystem::perms::all);
+    EXPECT_EQ(server_.rows("postgres", file("query.sql").string()), sqlite_rows(file("s.sqlite"), query)) << query;
+  }
+  EXPECT_THAT(batch({"--store", url, "--resume"}).out, HasSubstr("known before, left alone  6"));
+  EXPECT_EQ(dump(url), dump("s.sqlite"));
+}
+
+TEST_F(OnPostgresql, ManyWritersAndMerging) {
+  file_away_quick_ones(40);
+  (void)batch({"--store", "all.sqlite", "-q"});
+  const std::string url = server_.url();
+  std::vector<pid_t> writers;
+  for (int i = 0; i < 3; ++i) {
+    writers.push_back(start({"batch", "archive", "--store", url, "-q"}));
+  }
+  for (const pid_t writer : writers) {
+    EXPECT_EQ(wait_for(writer).exit_code, 0);
+  }
+  EXPECT_EQ(dump(url), dump("all.sqlite"));
+  EXPECT_EQ(run({"store", "merge", "back.sqlite", url, url}).exit_code, 0);
+  EXPECT_EQ(dump("back.sqlite"), dump("all.sqlite"));
+  ASSERT_TRUE(server_.make_database("other"));
+  EXPECT_EQ(run({"store", "merge", server_.url("other"), "back.sqlite"}).exit_code, 0);
+  EXPECT_EQ(dump(server_.url("other")), dump("all.sqlite"));
+}
+
+TEST_F(OnPostgresql, AServerThatDoesNotAnswerIsToldOfWithoutThePassword) {
+  file_away_quick_ones(1);
+  const Ended ended = batch({"--store", "postgresql://me:secret@127.0.0.1:1/none"});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("postgresql://me:***@127.0.0.1:1/none: the store cannot be opened"));
+  EXPECT_THAT(ended.err, ::testing::Not(HasSubstr("secret")));
+  EXPECT_EQ(testing::count_of(ended.err, "\n"), 1) << ended.err;
+}
+
+}  // namespace
+}  // namespace artcal
