@@ -35,6 +35,7 @@ Run set_up_fit(CLI::App& parser);
 Run set_up_uncertainty(CLI::App& parser);
 Run set_up_verify(CLI::App& parser);
 Run set_up_points(CLI::App& parser);
+Run set_up_plan(CLI::App& parser);
 Run set_up_simulate(CLI::App& parser);
 Run set_up_report(CLI::App& parser);
 Run set_up_batch(CLI::App& parser);

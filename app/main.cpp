@@ -24,6 +24,7 @@ constexpr std::array commands{
                     artcal::set_up_uncertainty},
     artcal::Command{"verify", "judge an arm by a standard", artcal::set_up_verify},
     artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
+    artcal::Command{"plan", "where to put an artefact next, and what to read there", artcal::set_up_plan},
     artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
     artcal::Command{"report", "results as a page to look at and to print", artcal::set_up_report},
     artcal::Command{"batch", "many recordings at once, their results into a store", artcal::set_up_batch},

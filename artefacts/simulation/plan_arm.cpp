@@ -52,18 +52,6 @@ void read_stops(TomlTable& table, VirtualJoint& joint, double angle) {
   }
 }
 
-// What the arm's file says of its travel; a whole turn from the one end where the other is not stated.
-VirtualJoint plain_joint(const Joint& real, double encoder_noise) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  VirtualJoint joint;
-  joint.encoder_noise = encoder_noise;
-  if (real.lowest || real.highest) {
-    joint.low = real.lowest ? *real.lowest : *real.highest - turn;
-    joint.high = real.highest ? *real.highest : *real.lowest + turn;
-  }
-  return joint;
-}
-
 VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angle) {
   joint.encoder_noise = angle_at(table, "encoder", joint.encoder_noise);
   joint.eccentricity[0] = read_first_harmonic(table, angle);
@@ -83,6 +71,17 @@ VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angl
 }
 
 }  // namespace
+
+VirtualJoint plain_joint(const Joint& real, double encoder_noise) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  VirtualJoint joint;
+  joint.encoder_noise = encoder_noise;
+  if (real.lowest || real.highest) {
+    joint.low = real.lowest ? *real.lowest : *real.highest - turn;
+    joint.high = real.highest ? *real.highest : *real.lowest + turn;
+  }
+  return joint;
+}
 
 ArmErrors read_arm_errors(TomlTable table, const Arm& arm) {
   ArmErrors errors;

@@ -17,4 +17,8 @@ void read_virtual_joints(TomlTable& root, VirtualArm& arm, double angle, double 
 /// Notes where the true arm is another kind of arm than the nominal one.
 void check_same_kind(TomlTable& root, const Arm& nominal, const Arm& real);
 
+/// A joint without errors and with the travel that the arm's file states; a whole turn from the one end where the other
+/// is not stated. `encoder_noise` in rad.
+VirtualJoint plain_joint(const Joint& real, double encoder_noise);
+
 }  // namespace artcal

@@ -106,6 +106,31 @@ TEST_F(ResultSchema, OfIdentifications) {
   check({"identify", "ball-bar/recording.toml", "--json", "-", "--no-leave-out"}, "identification");
 }
 
+TEST_F(ResultSchema, OfPlans) {
+  take("ball-bar");
+  check({"plan",
+         "ball-bar/arm.toml",
+         "--artefact",
+         "ball-bar/bar.toml",
+         "--placements",
+         "2",
+         "--readings",
+         "6",
+         "--possible",
+         "6",
+         "--postures",
+         "8",
+         "--measured",
+         "ball-bar/recording.toml",
+         "--encoder-noise",
+         "2 arcsec",
+         "--probing-noise",
+         "3 um",
+         "--json",
+         "-"},
+        "plan_result");
+}
+
 TEST_F(ResultSchema, OfSegmentations) {
   take("ball-bar-scan");
   check({"segment", "ball-bar-scan/scan.xyz", "--artefact", "ball-bar-scan/bar.toml", "--unit", "mm", "--json", "-"},
