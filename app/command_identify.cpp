@@ -10,12 +10,12 @@
 #include "app/dcc_request.h"
 #include "app/identification_report.h"
 #include "app/identification_run.h"
+#include "app/identify_request.h"
 #include "app/output.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
 #include "app/version.h"
-#include "core/unit_names.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -27,9 +27,7 @@ struct Request {
   std::string arm_out;
   DccRequest dcc;
   std::string report;
-  std::vector<std::string> hold, free;
-  std::string loss;
-  std::string noise, encoder_noise, probing_noise;
+  IdentifyChoices choices;
   bool no_leave_out = false;
   bool no_residuals = false;
   int threads = 0;
@@ -39,40 +37,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// The command line replaces the recording's noise as a whole: half of one and half of the other is neither.
-Expected<Noise> noise_of(const Request& request, const Recording& recording) {
-  if (request.noise.empty() && request.encoder_noise.empty() && request.probing_noise.empty()) {
-    return recording.noise;
-  }
-  const auto given = [](const std::string& text, auto read) { return text.empty() ? std::nullopt : read(text); };
-  const auto as_length = [](const std::string& text) { return length_quantity(text); };
-  const auto as_angle = [](const std::string& text) { return angle_quantity(text); };
-  const Noise noise{given(request.noise, as_length), given(request.encoder_noise, as_angle),
-                    given(request.probing_noise, as_length)};
-  const bool read = noise.reading.has_value() != request.noise.empty() &&
-                    noise.encoder.has_value() != request.encoder_noise.empty() &&
-                    noise.probing.has_value() != request.probing_noise.empty();
-  if (!read || noise.reading.value_or(1.0) <= 0.0 || noise.encoder.value_or(1.0) <= 0.0 ||
-      noise.probing.value_or(1.0) <= 0.0) {
-    return wrong_usage(
-        "a noise is a number above zero with its unit, such as --noise \"15 um\" or --encoder-noise \"2 arcsec\"");
-  }
-  if (noise.reading.has_value() == noise.encoder.has_value() ||
-      noise.encoder.has_value() != noise.probing.has_value()) {
-    return wrong_usage("state either --noise, or --encoder-noise and --probing-noise together");
-  }
-  return noise;
-}
-
 Expected<IdentifyOptions> options_of(const Request& request, const Recording& recording) {
-  IdentifyOptions options = recorded_options(recording);
-  options.hold.insert(options.hold.end(), request.hold.begin(), request.hold.end());
-  options.free.insert(options.free.end(), request.free.begin(), request.free.end());
-  options.loss = request.loss.empty() ? options.loss : loss_named(request.loss);
-  options.leave_out = !request.no_leave_out;
-  options.threads = request.threads;
-  return noise_of(request, recording).map([&](const Noise& noise) {
-    options.noise = noise;
+  return request.choices.options(recording).map([&](IdentifyOptions options) {
+    options.leave_out = !request.no_leave_out;
+    options.threads = request.threads;
     return options;
   });
 }
@@ -158,17 +126,8 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
   parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
   request->dcc.add_to(parser);
-  parser.add_option("--hold", request->hold, "parameters to keep at their nominal value, such as l,a1")
-      ->delimiter(',')
-      ->type_name("NAMES");
-  parser.add_option("--free", request->free, "parameters to identify although they are held by default, such as a6")
-      ->delimiter(',')
-      ->type_name("NAMES");
-  parser.add_option("--loss", request->loss, "how readings far off count")
-      ->check(CLI::IsMember({"none", "huber", "cauchy"}));
-  parser.add_option("--noise", request->noise, "noise of a reading's coordinate, such as \"15 um\"; else estimated");
-  parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"");
-  parser.add_option("--probing-noise", request->probing_noise, "noise of the tip beside the joints', such as \"3 um\"");
+  request->choices.add_to(parser, "Options");
+  request->choices.add_noise_of_parts_to(parser);
   parser.add_flag("--no-leave-out", request->no_leave_out, "do not identify again without each placement");
   parser.add_flag("--no-residuals", request->no_residuals, "leave the readings out of the JSON: it is much smaller");
   parser.add_option("--threads", request->threads, "threads for leaving out; 0 takes all, the result is the same")

@@ -6,6 +6,7 @@
 
 #include "acquisition/arm_file.h"
 #include "app/command.h"
+#include "app/command_monte_carlo.h"
 #include "app/output.h"
 #include "app/uncertainty_result.h"
 #include "core/in_quotes.h"
@@ -18,8 +19,8 @@ struct Request {
   CommonOptions common;
   std::string arm;
   std::string probe;
-  std::string encoder_noise, probing_noise;
   VolumeSampling sampling;
+  MonteCarloRequest monte_carlo;  ///< holds the noise for both
 };
 
 Expected<double> noise_of(const std::string& text, const char* option,
@@ -69,8 +70,9 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
     sources.parameters.push_back(all[find_parameter(all, name)]);
   }
   sources.covariance = file.identification->covariance;
-  const auto encoder = noise_of(request.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
-  const auto probing = noise_of(request.probing_noise, "--probing-noise", length_quantity, "3 um");
+  const auto encoder =
+      noise_of(request.monte_carlo.choices.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
+  const auto probing = noise_of(request.monte_carlo.choices.probing_noise, "--probing-noise", length_quantity, "3 um");
   for (const auto* noise : {&encoder, &probing}) {
     if (!*noise) {
       return tl::unexpected(noise->error());
@@ -78,7 +80,8 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
   }
   sources.encoder = *encoder;
   sources.probing = *probing;
-  const bool is_stated = !request.encoder_noise.empty() || !request.probing_noise.empty();
+  const bool is_stated =
+      !request.monte_carlo.choices.encoder_noise.empty() || !request.monte_carlo.choices.probing_noise.empty();
   if (!is_stated && !file.identification->noise) {
     return wrong_usage(
         "the arm's file does not say how noisy its readings are; state --encoder-noise and "
@@ -132,24 +135,31 @@ Expected<int> survey_and_tell(const Request& request) {
 
 Run set_up_uncertainty(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("arm", request->arm, "an identified arm, as `artcal identify -o` writes it")
+  parser
+      .add_option("file", request->arm,
+                  "an identified arm, as `artcal identify -o` writes it; with --monte-carlo a recording.toml")
       ->required()
-      ->type_name("ARM");
-  parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"");
-  parser.add_option("--probing-noise", request->probing_noise,
-                    "noise of the tip's coordinates beside the joints', such as \"3 um\"; without either, the noise "
-                    "that the identification found");
+      ->type_name("ARM|RECORDING");
+  request->monte_carlo.choices.add_noise_of_parts_to(parser);
   parser.add_option("--probe", request->probe, "the probe to measure with, where there are several")->type_name("NAME");
   parser.add_option("--lengths", request->sampling.lengths, "random places for each length")
       ->check(CLI::Range(1, 1'000'000));
   parser.add_option("--rings", request->sampling.rings, "of the map of the volume")->check(CLI::Range(1, 100));
   parser.add_option("--seed", request->sampling.seed, "of the random places and postures");
+  request->monte_carlo.add_to(parser);
+  for (const char* of_a_survey : {"--lengths", "--rings"}) {
+    parser.get_option("--monte-carlo")->excludes(parser.get_option(of_a_survey));
+  }
   request->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal identify examples/ball-bar/recording.toml -o arm.toml\n"
-      "  artcal uncertainty arm.toml --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"");
+      "  artcal uncertainty arm.toml --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"\n"
+      "  artcal uncertainty examples/two-socket-bar/recording.toml --monte-carlo --trials 10000");
   return [request] {
-    const auto done = survey_and_tell(*request);
+    const auto done = request->monte_carlo.asked
+                          ? monte_carlo_and_tell(request->monte_carlo, request->common, request->arm, request->probe,
+                                                 request->sampling.seed)
+                          : survey_and_tell(*request);
     return done ? *done : report_error(done.error());
   };
 }

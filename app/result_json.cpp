@@ -174,6 +174,47 @@ Json left_out_json(const LeftOut& left) {
   return json;
 }
 
+const char* name_of(Effect effect) {
+  switch (effect) {
+    case Effect::OncePerTurn: return "once-per-turn";
+    case Effect::TwicePerTurn: return "twice-per-turn";
+    case Effect::Gain: return "gain";
+    case Effect::Gravity: return "gravity";
+    case Effect::Drift: return "drift";
+    case Effect::Warmth: return "warmth";
+    case Effect::Expansion: break;
+  }
+  return "expansion";
+}
+
+// Joints are counted from 1, as parameters are; what concerns the arm as a whole has none.
+Json joint_json(Effect effect, int joint) { return effect == Effect::Expansion ? Json(nullptr) : Json(joint + 1); }
+
+Json model_study_json(const ModelStudy& study) {
+  return {{"done", study.done},
+          {"false_alarms", study.false_alarms},
+          {"readings", study.readings},
+          {"tests", list(study.tests,
+                         [](const ModelTest& test) -> Json {
+                           return {{"effect", name_of(test.effect)},
+                                   {"joint", joint_json(test.effect, test.joint)},
+                                   {"columns", test.columns},
+                                   {"f", test.f},
+                                   {"p", test.p}};
+                         })},
+          {"findings", list(study.findings, [](const ModelFinding& finding) -> Json {
+             const bool periodic = finding.effect == Effect::OncePerTurn || finding.effect == Effect::TwicePerTurn;
+             return {{"effect", name_of(finding.effect)},
+                     {"joint", joint_json(finding.effect, finding.joint)},
+                     {"text", in_words(finding)},
+                     {"p", finding.p},
+                     {"amplitude", finding.amplitude},
+                     {"u_amplitude", finding.effect == Effect::Gravity ? Json(nullptr) : Json(finding.u_amplitude)},
+                     {"phase_rad", periodic ? Json(finding.phase) : Json(nullptr)},
+                     {"rms_at_tip_mm", finding.rms_at_tip}};
+           })}};
+}
+
 Json noise_json(const IdentifyOptions& options, const Identification& result) {
   Json json{{"given", result.noise_is_given}, {"mm", result.noise}};
   if (options.noise.encoder) {
@@ -230,6 +271,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
             {"limit", outlier.limit},
             {"deviation_mm", outlier.deviation}};
   });
+  json["model_study"] = model_study_json(result.model_study);
   json["termination"] = {{"status", "converged"},
                          {"message", result.termination},
                          {"iterations", result.iterations},

@@ -175,6 +175,15 @@ std::string noise_text(const Identification& result) {
       result.degrees_of_freedom);
 }
 
+std::string model_study_text(const ModelStudy& study) {
+  if (!study.done || !study.findings.empty()) {
+    return {};  // what was found is a warning
+  }
+  return fmt::format(
+      "  residuals searched for {} effects that the model lacks (periodic, bending, drift, …): none found\n\n",
+      study.tests.size());
+}
+
 std::string cannot_text(const Coupling& coupling) {
   std::string text;
   if (!coupling.lost.empty()) {
@@ -226,7 +235,8 @@ std::string warnings_text(const std::vector<std::string>& warnings) {
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
   return title_text(recording, constraints, result) + summary_text(result) + warnings_text(result.warnings) +
          placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
-         noise_text(result) + cannot_text(result.coupling) + outliers_text(recording, result);
+         noise_text(result) + model_study_text(result.model_study) + cannot_text(result.coupling) +
+         outliers_text(recording, result);
 }
 
 std::string to_text(const Recording& recording, const Coupling& coupling) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 
 namespace artcal {
 
@@ -42,6 +43,11 @@ double chi_squared_quantile(double probability, double degrees_of_freedom) {
 
 double chi_squared_probability(double value, double degrees_of_freedom) {
   return boost::math::cdf(boost::math::chi_squared(degrees_of_freedom), value);
+}
+
+double f_probability_above(double value, double numerator_freedom, double denominator_freedom) {
+  const boost::math::fisher_f distribution(numerator_freedom, denominator_freedom);
+  return boost::math::cdf(boost::math::complement(distribution, value));
 }
 
 }  // namespace artcal

@@ -19,4 +19,7 @@ double chi_squared_quantile(double probability, double degrees_of_freedom);
 /// The probability that a χ² variable with `degrees_of_freedom` > 0 stays below `value` ≥ 0.
 double chi_squared_probability(double value, double degrees_of_freedom);
 
+/// The probability that an F variable with these degrees of freedom, both above 0, exceeds `value` ≥ 0.
+double f_probability_above(double value, double numerator_freedom, double denominator_freedom);
+
 }  // namespace artcal

@@ -23,6 +23,7 @@ constexpr std::array<Unit, 5> lengths{{{"mm", units::millimetre},
 constexpr std::array<Unit, 4> angles{
     {{"rad", units::radian}, {"mrad", units::milliradian}, {"deg", units::degree}, {"arcsec", units::arcsecond}}};
 constexpr std::array<Unit, 5> ratios{{{"um/m", 1e-6}, {"µm/m", 1e-6}, {"ppm", 1e-6}, {"mm/m", 1e-3}, {"mm/mm", 1.0}}};
+constexpr std::array<Unit, 2> temperatures{{{"K", 1.0}, {"mK", 1e-3}}};
 
 std::optional<double> find(std::span<const Unit> known, std::string_view name) {
   for (const auto& [unit, factor] : known) {
@@ -67,6 +68,7 @@ std::optional<double> length_unit(std::string_view name) { return find(lengths, 
 std::optional<double> angle_unit(std::string_view name) { return find(angles, name); }
 std::optional<double> length_quantity(std::string_view text) { return quantity(lengths, text); }
 std::optional<double> angle_quantity(std::string_view text) { return quantity(angles, text); }
+std::optional<double> temperature_difference(std::string_view text) { return quantity(temperatures, text); }
 std::optional<double> ratio_quantity(std::string_view text) { return quantity(ratios, text); }
 
 double length_unit(TomlTable& units, std::string_view key) { return unit_at(lengths, units, key, "mm, um, m, in"); }

@@ -15,6 +15,8 @@ std::optional<double> angle_unit(std::string_view name);
 /// A text such as "15 um" or "2 arcsec", in mm or rad; nothing if it is not a number ≥ 0 and such a unit.
 std::optional<double> length_quantity(std::string_view text);
 std::optional<double> angle_quantity(std::string_view text);
+/// A text such as "0.1 K" or "100 mK", in K; nothing if it is not a number ≥ 0 and such a unit.
+std::optional<double> temperature_difference(std::string_view text);
 /// A text such as "1.2 um/m", a length per length; also mm/m, ppm and mm/mm. Nothing if it is not a number ≥ 0 and
 /// such a unit.
 std::optional<double> ratio_quantity(std::string_view text);

@@ -10,11 +10,13 @@
 #include "core/statistics.h"
 #include "core/units.h"
 #include "identification/arm_fit.h"
+#include "identification/common_errors.h"
 #include "identification/coupling_analysis.h"
 #include "identification/leave_out.h"
 #include "identification/lost_text.h"
 #include "identification/near_the_balls.h"
 #include "identification/outliers.h"
+#include "identification/residual_search.h"
 #include "identification/selection.h"
 #include "identification/start.h"
 #include "identification/strange.h"
@@ -232,6 +234,11 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
         "the readings determine the parameters at the nominal arm but not at the identified one; hold "
         "the parameters that the coupling analysis calls weak");
   }
+  const System identified = make_system(recording, constraints, fit->arm, preparation->free);
+  const auto common = common_errors(identified, *fit, recording);
+  if (!common) {
+    return tl::unexpected(common.error());
+  }
   const auto before = evaluate(recording, constraints, recording.arm);
   const auto after = evaluate(recording, constraints, fit->arm);
   for (const auto* judged : {&before, &after}) {
@@ -249,7 +256,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.arm = fit->arm;
   result.noise_is_given = options.noise.is_given();
   judge_noise(*fit, result);
-  result.covariance = result.enlargement * result.enlargement * *covariance;
+  result.covariance = result.enlargement * result.enlargement * (*covariance + *common);
   result.parameters = describe(recording.arm, fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
     const auto found = std::find_if(result.parameters.begin(), result.parameters.end(),
@@ -260,6 +267,10 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.before = *before;
   result.after = *after;
   result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);
+  result.model_study = search_residuals(identified, *fit, recording);
+  if (auto warning = warning_of(result.model_study); !warning.empty()) {
+    result.warnings.push_back(std::move(warning));
+  }
   result.iterations = fit->iterations;
   result.noise_rounds = fit->rounds;
   result.cost = fit->cost;

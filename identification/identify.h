@@ -12,6 +12,7 @@
 #include "identification/coupling.h"
 #include "identification/evaluation.h"
 #include "identification/loss.h"
+#include "identification/model_study.h"
 
 namespace artcal {
 
@@ -77,6 +78,7 @@ struct Identification {
   Evaluation before, after;
   std::vector<LeftOut> left_out;
   std::vector<Outlier> outliers;
+  ModelStudy model_study;  ///< whether the residuals hold something that the model lacks
 
   bool noise_is_given = false;
   double noise = 0.0;        ///< mm a coordinate: given, estimated, or the median over the postures

@@ -47,9 +47,11 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
     const int k = first + i;
     const int reading = feature.readings[k];
     const Sweep& sweep = sweeps[system.probes[reading]];
-    const Eigen::Vector3d tip = out.by_arm != nullptr
-                                    ? sweep.tip_in_base(system.sines_of(reading), by_parameters.data())
-                                    : sweep.tip_in_base(system.sines_of(reading));
+    Eigen::Vector3d tip = out.by_arm != nullptr ? sweep.tip_in_base(system.sines_of(reading), by_parameters.data())
+                                                : sweep.tip_in_base(system.sines_of(reading));
+    if (!system.shifts.empty()) {
+      tip += system.shifts[reading];
+    }
     const Residual r = residual.at(k, tip, sweep.tip_radius(), derivatives);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];

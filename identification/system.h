@@ -55,9 +55,10 @@ struct System {
   const Constraints* constraints = nullptr;
   Arm start;
   std::vector<Parameter> free;
-  Eigen::VectorXd scale;      ///< mm or rad per unit of x
-  std::vector<double> sines;  ///< sine and cosine of each joint of each reading
-  std::vector<int> probes;    ///< of each reading
+  Eigen::VectorXd scale;                ///< mm or rad per unit of x
+  std::vector<double> sines;            ///< sine and cosine of each joint of each reading
+  std::vector<int> probes;              ///< of each reading
+  std::vector<Eigen::Vector3d> shifts;  ///< of each reading's tip in the base frame, mm; or empty: none
 
   [[nodiscard]] int arm_size() const { return static_cast<int>(free.size()); }
   [[nodiscard]] int shared_size() const { return static_cast<int>(constraints->shared.size()); }

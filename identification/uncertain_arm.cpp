@@ -6,26 +6,23 @@
 
 #include <Eigen/QR>
 
-#include "acquisition/sweep.h"
-
 namespace artcal {
 
 UncertainArm::UncertainArm(Arm arm, UncertaintySources sources, int probe)
-    : arm_(std::move(arm)), sources_(std::move(sources)), probe_(probe) {}
+    : arm_(std::move(arm)), sources_(std::move(sources)), probe_(probe), sweep_(arm_, sources_.parameters, probe) {}
 
 UncertainArm UncertainArm::without_noise() const {
   return {arm_, {sources_.parameters, sources_.covariance, 0.0, 0.0}, probe_};
 }
 
 UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
-  const Sweep sweep(arm_, sources_.parameters, probe_);
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
   joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
   UncertainTip tip;
-  tip.by_parameter.resize(3, sweep.column_count());
-  tip.by_joint.resize(3, sweep.joint_count());
-  sweep.tip_by_joints(sines, tip.by_joint.data());
-  tip.in_base = sweep.tip_in_base(sines, tip.by_parameter.data());
+  tip.by_parameter.resize(3, sweep_.column_count());
+  tip.by_joint.resize(3, sweep_.joint_count());
+  sweep_.tip_by_joints(sines, tip.by_joint.data());
+  tip.in_base = sweep_.tip_in_base(sines, tip.by_parameter.data());
   return tip;
 }
 

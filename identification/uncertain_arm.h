@@ -7,6 +7,7 @@
 
 #include "acquisition/arm.h"
 #include "acquisition/parameters.h"
+#include "acquisition/sweep.h"
 
 namespace artcal {
 
@@ -57,6 +58,7 @@ class UncertainArm {
   Arm arm_;
   UncertaintySources sources_;
   int probe_;
+  Sweep sweep_;
 };
 
 }  // namespace artcal

@@ -6,30 +6,16 @@
 #include <numbers>
 #include <optional>
 
-#include "artefacts/virtual_probing.h"
 #include "core/random.h"
+#include "identification/postures.h"
 
 namespace artcal {
 namespace {
 
-constexpr int most_attempts = 20;  // at one place before it counts as out of reach
-
-Eigen::VectorXd random_posture(const UncertainArm& arm, RandomStream& random) {
-  Eigen::VectorXd q(static_cast<Eigen::Index>(arm.arm().joints.size()));
-  for (double& angle : q) {
-    angle = random.uniform(-std::numbers::pi, std::numbers::pi);
-  }
-  return q;
-}
-
 std::optional<UncertainTip> tip_at(const UncertainArm& arm, const Eigen::Vector3d& place_in_base,
                                    RandomStream& random) {
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    if (const auto q = reach_point(arm.arm(), arm.probe(), place_in_base, random_posture(arm, random))) {
-      return arm.tip(*q);
-    }
-  }
-  return std::nullopt;
+  const auto q = posture_at(arm.arm(), arm.probe(), place_in_base, random);
+  return q ? std::optional(arm.tip(*q)) : std::nullopt;
 }
 
 SpreadOfU spread_of(std::vector<double> values) {
@@ -57,7 +43,7 @@ LengthUncertainty of_lengths(const UncertainArm& arm, double length, int count, 
   std::vector<double> values;
   std::vector<double> of_arm;
   for (int i = 0; i < count; ++i) {
-    const UncertainTip first = arm.tip(random_posture(arm, random));
+    const UncertainTip first = arm.tip(random_posture(arm.arm(), random));
     if (const auto second = tip_at(arm, first.in_base + length * random.direction(), random)) {
       values.push_back(arm.of_length(first, *second));
       of_arm.push_back(quiet.of_length(first, *second));
@@ -66,29 +52,13 @@ LengthUncertainty of_lengths(const UncertainArm& arm, double length, int count, 
   return {length, spread_of(std::move(values)), spread_of(std::move(of_arm))};
 }
 
-// The pole, then rings of 4, 8, 4 and 8 points, each turned by 22.5 degrees against the one before.
-std::vector<Eigen::Vector3d> pattern_of_25() {
-  constexpr double step = std::numbers::pi / 8.0;
-  std::vector<Eigen::Vector3d> directions{Eigen::Vector3d::UnitZ()};
-  int ring = 0;
-  for (const int count : {4, 8, 4, 8}) {
-    const double from_pole = step * ++ring;
-    for (int i = 0; i < count; ++i) {
-      const double round = 2.0 * std::numbers::pi * i / count + step * ring;
-      directions.emplace_back(std::sin(from_pole) * std::cos(round), std::sin(from_pole) * std::sin(round),
-                              std::cos(from_pole));
-    }
-  }
-  return directions;
-}
-
 SpreadOfU of_diameters(const UncertainArm& arm, const VolumeSampling& sampling) {
   RandomStream random(sampling.seed, "spheres");
   const auto pattern = pattern_of_25();
   const double radius = 0.5 * sampling.diameter + arm.arm().probes[arm.probe()].radius;
   std::vector<double> values;
   for (int i = 0; i < sampling.spheres; ++i) {
-    const Eigen::Vector3d centre = arm.tip(random_posture(arm, random)).in_base;
+    const Eigen::Vector3d centre = arm.tip(random_posture(arm.arm(), random)).in_base;
     const Eigen::Matrix3d turn = random.rotation();
     std::vector<UncertainTip> tips;
     for (const auto& direction : pattern) {
@@ -138,7 +108,7 @@ std::vector<MapCell> map_of(const UncertainArm& arm, const VolumeSampling& sampl
 WorkingVolume survey(const UncertainArm& arm, const VolumeSampling& sampling) {
   WorkingVolume volume;
   const double reach_of_arm = reach(arm.arm());
-  for (const double share : {0.1, 0.2, 0.4, 2.0 / 3.0, 0.9}) {
+  for (const double share : surveyed_lengths) {
     volume.lengths.push_back(
         of_lengths(arm, share * reach_of_arm, sampling.lengths, volume.lengths.size(), sampling.seed));
   }

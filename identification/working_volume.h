@@ -1,11 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "identification/uncertain_arm.h"
 
 namespace artcal {
+
+/// Lengths that are looked at, as shares of the reach.
+inline constexpr std::array surveyed_lengths{0.1, 0.2, 0.4, 2.0 / 3.0, 0.9};
 
 /// How many of what is drawn at random; the same numbers and seed give the same bits.
 struct VolumeSampling {

@@ -1,4 +1,6 @@
 // `artcal uncertainty`: what it takes, and what it refuses.
+#include <csignal>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +59,118 @@ TEST_F(UncertaintyCommand, RefusesWhatItCannotKnow) {
   const Ended broken = run({"uncertainty", "broken.toml"});
   EXPECT_EQ(broken.exit_code, 3);
   EXPECT_THAT(broken.err, HasSubstr("the covariance is none"));
+}
+
+class MonteCarloCommand : public testing::ProgramTest {
+ protected:
+  void SetUp() override { take("ball-bar"); }
+  static std::vector<std::string> command(std::vector<std::string> more) {
+    more.insert(more.begin(), {"uncertainty", "ball-bar/recording.toml", "--monte-carlo"});
+    return more;
+  }
+  Ended made(const std::vector<std::string>& more) { return run(command(more)); }
+};
+
+TEST_F(MonteCarloCommand, TellsPeopleAndProgramsTheSame) {
+  const Ended told = made({"--trials", "100", "--at", "600,0,450", "--at", "600,400,450"});
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("identified 100 times"));
+  EXPECT_THAT(told.out, HasSubstr("length 1 to 2"));
+  const Ended json = made({"--trials", "100", "--at", "600,0,450", "--at", "600,400,450", "--json", "-"});
+  const Json result = Json::parse(json.out);
+  EXPECT_EQ(result["trials"]["made"], 100);
+  bool there = false;
+  for (const Json& quantity : result["quantities"]) {
+    if (quantity["kind"] == "length" && quantity["name"] == "length 1 to 2") {
+      there = true;
+      EXPECT_NEAR(quantity["estimate"], 400.0, 1e-6);
+      EXPECT_LT(quantity["interval_95"][0], 400.0);
+      EXPECT_GT(quantity["interval_95"][1], 400.0);
+    }
+  }
+  EXPECT_TRUE(there);
+}
+
+TEST_F(MonteCarloCommand, PutsShardsTogetherToTheSameBytes) {
+  ASSERT_EQ(made({"--trials", "130", "--json", "whole.json", "--threads", "1"}).exit_code, 0);
+  for (const std::string k : {"1", "2", "3"}) {
+    ASSERT_EQ(made({"--trials", "130", "--shard", k + "/3", "--state", k + ".json", "--quiet"}).exit_code, 0);
+  }
+  const Ended merged = made({"--trials", "130", "--merge", "3.json,1.json,2.json", "--json", "merged.json"});
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(text_of("merged.json"), text_of("whole.json"));
+  const Ended missing = made({"--trials", "130", "--merge", "3.json,1.json"});
+  EXPECT_EQ(missing.exit_code, 3);
+  EXPECT_THAT(missing.err, HasSubstr("do not follow"));
+  const Ended twice = made({"--trials", "130", "--merge", "1.json,1.json,2.json,3.json"});
+  EXPECT_EQ(twice.exit_code, 3);
+}
+
+TEST_F(MonteCarloCommand, WritesWhatThereIsOnCtrlCAndGoesOnFromIt) {
+  const pid_t child = start(command({"--trials", "50000000", "--state", "state.json", "--json", "stopped.json"}));
+  for (int wait = 0; wait < 600 && !std::filesystem::exists(file("state.json")); ++wait) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ::kill(child, SIGINT);
+  const Ended ended = wait_for(child);
+  ASSERT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("STOPPED after"));
+  const Json stopped = Json::parse(text_of("stopped.json"));
+  EXPECT_EQ(stopped["trials"]["complete"], false);
+  const int made_so_far = stopped["trials"]["made"];
+  EXPECT_GE(made_so_far, 2);
+  const std::string all = std::to_string(made_so_far + 33);
+  const Ended resumed = made({"--trials", all, "--resume", "state.json", "--json", "resumed.json"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_EQ(made({"--trials", all, "--json", "undisturbed.json"}).exit_code, 0);
+  EXPECT_EQ(text_of("resumed.json"), text_of("undisturbed.json"));
+}
+
+TEST_F(MonteCarloCommand, RefusesStatesThatAreNotItsOwn) {
+  ASSERT_EQ(made({"--trials", "20", "--state", "state.json"}).exit_code, 0);
+  const std::string sound = text_of("state.json");
+  const Ended other_seed = made({"--trials", "40", "--seed", "2", "--resume", "state.json"});
+  EXPECT_EQ(other_seed.exit_code, 3);
+  EXPECT_THAT(other_seed.err, HasSubstr("with other options"));
+  const Ended fewer = made({"--trials", "10", "--resume", "state.json"});
+  EXPECT_EQ(fewer.exit_code, 2);
+  EXPECT_THAT(fewer.err, HasSubstr("more than the 10 asked for"));
+  for (const std::string& damaged :
+       {sound.substr(0, sound.size() / 2), std::string("{}"), testing::replaced(sound, "\"end\":20", "\"end\":21"),
+        testing::replaced(sound, "\"end\":20", "\"end\":-1"), testing::replaced(sound, "\"end\":20", "\"end\":1e300"),
+        std::string(100'000, '[')}) {
+    write("damaged.json", damaged);
+    const Ended refused = made({"--trials", "40", "--resume", "damaged.json"});
+    EXPECT_EQ(refused.exit_code, 3) << refused.err;
+    EXPECT_EQ(text_of("damaged.json"), damaged);
+  }
+}
+
+TEST_F(MonteCarloCommand, RefusesWhatItCannotDo) {
+  for (const auto& [more, why] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--trials", "some"}, "expected a number from 2"},
+           {{"--trials", "1"}, "expected a number from 2"},
+           {{"--trials", "20", "--at", "600,0"}, "expected coordinates"},
+           {{"--trials", "20", "--shard", "1/2"}, "--state"},
+           {{"--shard", "3/2", "--state", "s.json"}, "which of how many"},
+           {{"--merge", "s.json"}, "--trials"},
+           {{"--trials", "20", "--u-temperature", "0.1"}, "such as"},
+           {{"--trials", "20", "--noise", "0 um"}, "above zero"},
+           {{"--trials", "20", "--probe", "star"}, "no probe"},
+           {{"--trials", "20", "--lengths", "5"}, "excludes"}}) {
+    const Ended refused = made(more);
+    EXPECT_EQ(refused.exit_code, 2) << why;
+    EXPECT_THAT(refused.err, HasSubstr(why));
+  }
+  const Ended without = run({"uncertainty", "ball-bar/arm.toml", "--trials", "20"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.err, HasSubstr("--monte-carlo"));
+  const Ended nowhere = made({"--trials", "20", "--state", "missing/state.json"});
+  EXPECT_EQ(nowhere.exit_code, 3);
+  const Ended far = made({"--trials", "20", "--at", "9000,0,0"});
+  EXPECT_EQ(far.exit_code, 3);
+  EXPECT_THAT(far.err, HasSubstr("does not reach"));
 }
 
 }  // namespace

@@ -1,0 +1,83 @@
+#include "identification/common_errors.h"
+
+#include <map>
+
+#include "identification/arrow_factor.h"
+#include "identification/certified_distances.h"
+#include "identification/rows.h"
+
+namespace artcal {
+namespace {
+
+/// Answers to one error that several distances share.
+struct SharedError {
+  Eigen::VectorXd sum;
+  Eigen::MatrixXd squares;
+  int count = 0;
+
+  void add(const Eigen::VectorXd& answer) {
+    sum = count == 0 ? answer : Eigen::VectorXd(sum + answer);
+    squares = count == 0 ? Eigen::MatrixXd(answer * answer.transpose())
+                         : Eigen::MatrixXd(squares + answer * answer.transpose());
+    ++count;
+  }
+  [[nodiscard]] Eigen::MatrixXd lacking() const { return sum * sum.transpose() - squares; }
+};
+
+std::vector<const CertifiedDistance*> all_certified(const Constraints& constraints) {
+  std::vector<const CertifiedDistance*> all;
+  for (const Artefact& artefact : constraints.artefacts) {
+    for (const CertifiedDistance& distance : artefact.distances) {
+      all.push_back(&distance);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit, const Recording& recording) {
+  const Constraints& constraints = *system.constraints;
+  const NumberLayout layout = layout_of(system);
+  Eigen::MatrixXd lacking = Eigen::MatrixXd::Zero(system.arm_size(), system.arm_size());
+  if (constraints.binding_distance_count() == 0) {
+    return lacking;
+  }
+  const auto factor = ArrowFactor::of(fit.linearisation, layout);
+  if (!factor) {
+    return tl::unexpected(factor.error());
+  }
+  const auto certificates = certified_distances(constraints);
+  const auto certified = all_certified(constraints);
+  const auto above = above_reference(constraints, recording);
+  std::map<int, SharedError> of_certificates;
+  std::map<int, SharedError> of_expansions;
+  for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
+    const DistanceConstraint& distance = constraints.distances[d];
+    if (!distance.binds || certificates[d] < 0) {
+      continue;
+    }
+    const FeatureConstraint& first = constraints.features[distance.first];
+    const Eigen::Index at = layout.groups[first.group];
+    Eigen::VectorXd slope = Eigen::VectorXd::Zero(layout.size);
+    weighted_distance(distance, constraints, fit.weights.distances[d], fit.unknowns.groups[first.group].values.data(),
+                      slope.data() + at);
+    // δ = (RᵀR)⁻¹ Jᵀ w·(change of the length), in mm and rad per mm.
+    const Eigen::VectorXd answer =
+        fit.weights.distances[d] * system.scale.cwiseProduct(factor->solve(slope).numbers.tail(system.arm_size()));
+    const CertifiedDistance& certificate = *certified[certificates[d]];
+    of_certificates[certificates[d]].add(first.expansion * certificate.u * answer);
+    const double u_expansion = constraints.artefacts[first.artefact].u_expansion;
+    if (u_expansion > 0.0) {
+      of_expansions[first.artefact].add(certificate.value * above[distance.first] * u_expansion * answer);
+    }
+  }
+  for (const auto* errors : {&of_certificates, &of_expansions}) {
+    for (const auto& [key, error] : *errors) {
+      lacking += error.lacking();
+    }
+  }
+  return lacking;
+}
+
+}  // namespace artcal

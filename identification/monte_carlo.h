@@ -1,0 +1,102 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identification/distribution.h"
+#include "identification/identify.h"
+#include "identification/measuring.h"
+
+namespace artcal {
+
+/// What is drawn beside the noise that the identification knows or found, and what is followed.
+struct MonteCarloOptions {
+  std::uint64_t seed = 1;
+  double u_temperature = 0.0;  ///< of an artefact's temperature in a placement, K
+  MeasuringRequest measuring;
+};
+
+/// Trials [first, end) that have been made, and all that is kept of them. Its size does not grow with their number.
+/// Counts of trials that follow each other can be put together, and are then to the bit what one run would have
+/// counted.
+struct MonteCarloCount {
+  std::int64_t first = 0, end = 0;
+  std::int64_t not_converged = 0;
+  std::vector<std::int64_t> not_converged_first;  ///< the first ten of them
+  std::vector<Distribution> distributions;        ///< a quantity each
+};
+
+/// How many trials are wanted.
+struct TrialsWanted {
+  std::optional<std::int64_t> number;  ///< up to this trial; else until `digits` stand (JCGM 101 §7.9)
+  int digits = 2;                      ///< significant decimal digits of u, 1 or 2
+};
+inline constexpr std::int64_t most_trials = 100'000'000;
+
+/// How a run may be watched and stopped. The functions may be empty.
+struct MonteCarloWatch {
+  std::function<void(const MonteCarloCount&)> progress;    ///< every 50 trials, from any thread, one at a time
+  std::function<void(const MonteCarloCount&)> round_done;  ///< every 10,000: the count is whole and may be kept
+  const std::atomic<bool>* stop = nullptr;                 ///< trials that have begun are finished
+  int threads = 0;                                         ///< 0 takes all; the counts do not depend on it
+};
+
+/// Propagation of distributions (JCGM 101) through a whole identification. Each trial draws readings and certificates
+/// anew (normal: noise of the readings, standard uncertainties of certified lengths, radii, coordinates and expansion),
+/// identifies the arm from them by full non-linear least squares, and has that arm measure. Which parameters are free,
+/// the weights and the loss are those of the identification. Where the noise was estimated, each trial draws it too, by
+/// its degrees of freedom; where uncertainties were enlarged, the draws are.
+///
+/// Trial t is known by (seed, t) alone: neither threads nor machines nor the order change a digit.
+class MonteCarlo {
+ public:
+  /// `recording` and `constraints` must outlive this. Bad input: a point to be measured that the arm does not reach.
+  /// No solution: the readings agree to the last digits, so that there is no noise to draw; see fit_arm().
+  static Expected<MonteCarlo> prepare(const Recording& recording, const Constraints& constraints,
+                                      const IdentifyOptions& options, const Identification& identification,
+                                      const MonteCarloOptions& monte_carlo);
+  MonteCarlo(MonteCarlo&&) noexcept;
+  MonteCarlo& operator=(MonteCarlo&&) noexcept;
+  ~MonteCarlo();
+
+  [[nodiscard]] const std::vector<FollowedQuantity>& quantities() const;
+
+  /// No trials yet, the next being `first`. The histograms are laid by 200 trials of a stream of their own.
+  [[nodiscard]] Expected<MonteCarloCount> begin(std::int64_t first = 0) const;
+
+  /// Goes on until enough trials are made or the watch stops it. No solution: more than one trial in a hundred did not
+  /// converge (from 100 trials on, after each round), or, unless a number is wanted, `most_trials` were not enough.
+  Expected<void> run(MonteCarloCount& count, const TrialsWanted& wanted, const MonteCarloWatch& watch) const;
+
+ private:
+  struct Parts;
+  explicit MonteCarlo(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Appends trials that come right after. Usage: they do not, or were counted by other rulers.
+Expected<void> append(MonteCarloCount& count, const MonteCarloCount& next);
+
+/// What came out for one quantity.
+struct PropagatedQuantity {
+  double mean = 0.0;
+  double u = 0.0;
+  std::optional<Interval> symmetric, shortest;  ///< 95 %; absent where an end lies beyond the histogram
+  /// Of mean, u and the ends of the symmetric interval together: twice the largest of their standard deviations
+  /// from the number of trials.
+  double tolerance = 0.0;
+  double tolerance_wanted = 0.0;     ///< half of the last of the wanted digits of u
+  bool stands = false;               ///< tolerance ≤ tolerance_wanted
+  bool differs_from_linear = false;  ///< u differs by more than a tenth from the first-order one
+};
+
+/// REQUIRES: two trials or more.
+std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& quantities, const MonteCarloCount& count,
+                                        int digits = 2);
+
+}  // namespace artcal
