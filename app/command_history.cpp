@@ -31,7 +31,9 @@ std::string uses_text(const std::string& number, const std::vector<CertificateUs
 
 Expected<int> tell_certificate(const Request& request, Store& store) {
   return uses_of_certificate(store, request.certificate).map([&](const std::vector<CertificateUse>& uses) {
-    fmt::print("{}", uses_text(request.certificate, uses));
+    if (!request.common.quiet) {
+      fmt::print("{}", uses_text(request.certificate, uses));
+    }
     return 0;
   });
 }
@@ -39,6 +41,9 @@ Expected<int> tell_certificate(const Request& request, Store& store) {
 Expected<int> tell(const Request& request) {
   if (request.arm.empty() == request.certificate.empty()) {
     return wrong_usage("whose history? Name an arm, or a certificate with --certificate NUMBER, not both");
+  }
+  if (!request.certificate.empty() && !request.common.json.empty()) {
+    return wrong_usage("--json is for an arm's history; docs/store.md has the SQL for a certificate");
   }
   auto store = Store::open(request.store, Database::Access::Read);
   if (!store) {

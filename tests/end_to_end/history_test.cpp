@@ -76,6 +76,7 @@ TEST_F(History, WrongCallsAreRefused) {
   EXPECT_THAT(unknown.err, HasSubstr("\"Franka Emika Panda\""));
   EXPECT_EQ(run({"history", "--store", "s.sqlite"}).exit_code, 2);
   EXPECT_EQ(run({"history", "arm", "--certificate", "1", "--store", "s.sqlite"}).exit_code, 2);
+  EXPECT_EQ(run({"history", "--certificate", "4711", "--json", "-", "--store", "s.sqlite"}).exit_code, 2);
   EXPECT_EQ(run({"history", "arm", "--store", "gone.sqlite"}).exit_code, 3);
 }
 
