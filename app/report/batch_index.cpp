@@ -60,9 +60,9 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->outcome > b->outcome; });
   html::Table table("Every recording; a click on a column's head sorts by it", {{"recording", false, true},
                                                                                 {"arm", false},
-                                                                                {"date", false},
-                                                                                {"task", false},
-                                                                                {"outcome", false},
+                                                                                {"date", false, false, true},
+                                                                                {"task", false, false, true},
+                                                                                {"outcome", false, false, true},
                                                                                 {"rms before, mm"},
                                                                                 {"after, mm"},
                                                                                 {"largest / limit"},
@@ -73,7 +73,7 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
         {name_of(*row), html::text(row->arm), html::text(row->date), html::text(row->task), word_of(row->outcome),
          number(row->rms_before, "{:.4f}"), number(row->rms_after, "{:.4f}"), number(row->largest_of_limit, "{:.2f}"),
          fmt::format("{}", row->warnings), html::text(row->message)},
-        row->outcome == IndexOutcome::Done ? "" : "notable");
+        row->outcome == IndexOutcome::Failed ? "notable" : "");
   }
   const std::string body =
       html::element("main", html::element("h1", html::text(title)) + summary(rows) + table.markup("class=\"sortable\""),

@@ -59,7 +59,7 @@ void Table::add_markup(const std::vector<std::string>& cells, std::string_view r
   rows_ += row_class.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", row_class);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
-    const char* number = column.is_number ? " class=\"number\"" : "";
+    const char* number = column.is_number ? " class=\"number\"" : column.is_whole ? " class=\"whole\"" : "";
     rows_ += column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", number, cells[i])
                                : fmt::format("<td{}>{}</td>", number, cells[i]);
   }

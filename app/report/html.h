@@ -24,6 +24,7 @@ struct Column {
   std::string heading;      ///< text, not markup
   bool is_number = true;    ///< set to the right
   bool is_heading = false;  ///< its cells name their rows
+  bool is_whole = false;    ///< its cells are words that are not broken into lines
 };
 
 /// A table whose head is repeated on each page of paper; a short one stays on one page.

@@ -20,8 +20,10 @@ struct Opened {
 class BrowserTest : public ProgramTest {
  protected:
   /// REQUIRES: Chromium is installed (cmake/packages.txt).
-  [[nodiscard]] Opened open(const std::string& page) const {
-    const Ended ended = chromium({"--dump-dom"}, page);
+  [[nodiscard]] Opened open(const std::string& page, const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments{"--dump-dom"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Ended ended = chromium(arguments, page);
     Opened opened{ended.out, {}};
     // What it says of its own speed is no complaint about the page.
     static const std::regex own("Canvas2D: Multiple readback|GL Driver Message");

@@ -51,6 +51,15 @@ TEST_F(Report, OfAnIdentificationOpensWithoutComplaintAndDrawsEveryFigure) {
   EXPECT_EQ(count(opened.document, "role=\"img\" aria-label=\""), 5u);
 }
 
+TEST_F(Report, WithoutWebGlIsDrawnFlat) {
+  identify("two-socket-bar", {"--no-leave-out"});
+  report();
+  const Opened opened = open("report.html", {"--disable-3d-apis"});
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
+  EXPECT_THAT(opened.document, HasSubstr(">x, mm; from the side</text>"));
+}
+
 TEST_F(Report, HasTheNumbersOfTheResult) {
   identify("ball-bar");
   report();
@@ -134,7 +143,7 @@ TEST_F(Report, OfAVerificationShowsVerdictAndValues) {
   EXPECT_THAT(opened.complaints, IsEmpty());
   EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
   EXPECT_EQ(count(opened.document, "role=\"img\" aria-label=\""), 2u);
-  EXPECT_THAT(opened.document, HasSubstr("limit of E_Uni"));
+  EXPECT_THAT(opened.document, HasSubstr(">limit of E_Uni</text>"));
 }
 
 TEST_F(Report, IsTheSameFromTheProgramAndFromItsResult) {

@@ -30,6 +30,22 @@ Json identification(const std::string& date, const std::string& hash, double val
   return json;
 }
 
+Json verification(const std::string& date, double largest, bool set_aside = false) {
+  Json json{{"kind", "verification"}, {"date", date}, {"standard", "iso10360-12"}};
+  for (const double error : {0.001, -largest}) {
+    json["values"].push_back({{"quantity", "E_Uni"},
+                              {"first", "A"},
+                              {"second", "B"},
+                              {"certified_mm", 500.0},
+                              {"value_mm", error},
+                              {"limit_mm", 0.03},
+                              {"u_mm", 0.002},
+                              {"verdict", largest < 0.03 ? "conforms" : "does_not_conform"},
+                              {"set_aside", set_aside && error < 0.0}});
+  }
+  return json;
+}
+
 std::string page_of(const std::vector<Json>& results) {
   std::vector<ReportedResult> all;
   for (const Json& json : results) {
@@ -75,6 +91,24 @@ TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
   const std::string page = page_of({identification("2026-01-01", "a", 0.0), other});
   EXPECT_THAT(page, HasSubstr("cannot be compared one by one"));
   EXPECT_EQ(significant_in(page), 0);
+}
+
+TEST(Drift, OfVerificationsIsThatOfTheirWorstValues) {
+  const std::string page = page_of({verification("2027-01-01", 0.05), verification("2026-01-01", 0.02)});
+  const auto then = page.find("2026-01-01</td><td class=\"number\">-20.0</td>");
+  const auto now = page.find("2027-01-01</td><td class=\"number\">-50.0</td>");
+  EXPECT_NE(then, std::string::npos) << page;
+  EXPECT_NE(now, std::string::npos);
+  EXPECT_LT(then, now);
+  EXPECT_THAT(page, HasSubstr("✗\u00a0does\u00a0not\u00a0conform"));
+  EXPECT_THAT(page_of({verification("2026-01-01", 0.02), verification("2027-01-01", 0.05, true)}),
+              HasSubstr(">+1.0</td>"));  // what was measured again does not count
+}
+
+TEST(Drift, OfVerificationsByTwoStandardsIsNotTold) {
+  Json other = verification("2027-01-01", 0.05);
+  other["standard"] = "sphere-plate";
+  EXPECT_THAT(page_of({verification("2026-01-01", 0.02), other}), IsEmpty());
 }
 
 TEST(Drift, OfTheSameRecordingIsDoubted) {

@@ -25,7 +25,8 @@
 
   async function draw(figure) {
     const place = document.getElementById(figure.id);
-    const {traces, layout: made, height} = KINDS[figure.kind](figure);
+    const inSpace = KINDS[figure.kind](figure);
+    const {traces, layout: made, height} = inSpace.layout.scene && !HAS_WEBGL ? flattened(inSpace) : inSpace;
     if (height) {
       place.style.height = `${height}px`;
     }
@@ -38,7 +39,14 @@
   }
 
   for (const figure of JSON.parse(document.getElementById('data').textContent).figures) {
-    await draw(figure);
+    try {
+      await draw(figure);
+    } catch (error) {
+      console.error(error);
+      const place = document.getElementById(figure.id);
+      place.className = 'plot empty';
+      place.textContent = 'This picture could not be drawn here. Its key numbers stand below.';
+    }
     await new Promise((resolve) => { setTimeout(resolve, 0); });
   }
   document.documentElement.dataset.drawn = 'all';
