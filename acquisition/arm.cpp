@@ -20,6 +20,15 @@ double reach(const Arm& arm) {
   return length + tip;
 }
 
+bool has_masses(const Arm& arm) {
+  return std::all_of(arm.joints.begin(), arm.joints.end(), [](const Joint& joint) { return joint.mass.has_value(); });
+}
+
+bool expands(const Arm& arm) {
+  return std::any_of(arm.joints.begin(), arm.joints.end(),
+                     [](const Joint& joint) { return joint.errors.expansion != 0.0; });
+}
+
 int probe_index(const Arm& arm, const std::string& name) {
   const auto found =
       std::find_if(arm.probes.begin(), arm.probes.end(), [&](const Probe& probe) { return probe.name == name; });

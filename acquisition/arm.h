@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,20 @@ namespace artcal {
 /// smooth function of the axes; it is zero unless the joint is told to have it.
 enum class Convention { Standard, Modified };
 
+/// What makes a joint turn by something else than its encoder shows, and its link be of another length. The chain
+/// of Convention is that of the angles q' and of the lengths at the arm's temperature T:
+///     q'i = qi + gain·qi + coupling·q(i-1) + Σ cosine·cos(h·qi) + sine·sin(h·qi) + sign·compliance·τi,  h = 1, 2
+///     ai, di and, after the last joint, the tip grow by 1 + expansion·(T − reference temperature)
+/// τi is the torque of the weight of all links further out about axis i, in the posture q', a link's mass sitting
+/// halfway between a point on its axis and one on the next (after the last: the tip). All are zero for a rigid arm.
+struct JointErrors {
+  std::array<double, 2> cosine{}, sine{};  ///< of the encoder's first and second harmonic, rad
+  double gain = 0.0;                       ///< rad/rad
+  double coupling = 0.0;                   ///< to the joint before, rad/rad; of the first joint it means nothing
+  double compliance = 0.0;                 ///< rad/(N·mm)
+  double expansion = 0.0;                  ///< of the link, 1/K
+};
+
 /// One revolute joint. Lengths in mm, angles in rad.
 struct Joint {
   double a = 0.0;
@@ -28,6 +43,8 @@ struct Joint {
   double sign = 1.0;                                ///< +1, or -1 where the encoder counts against the axis
   bool has_beta = false;                            ///< β is a parameter of this joint
   std::optional<double> lowest = {}, highest = {};  ///< readings at the ends of its travel, where they are stated
+  JointErrors errors = {};
+  std::optional<double> mass = {};  ///< of the link that the joint carries, kg; where it is stated
 };
 
 /// What is mounted on the last joint. `tip_in_last` is the centre of the tip ball (or the point of a
@@ -48,7 +65,15 @@ struct Arm {
   Convention convention = Convention::Standard;
   std::vector<Joint> joints;
   std::vector<Probe> probes;
+  Eigen::Vector3d gravity_in_base{0.0, 0.0, -9.80665};  ///< m/s²
+  double reference_temperature = 20.0;                  ///< at which a, d and the tips are stated, °C
 };
+
+/// Whether every joint states the mass of its link.
+bool has_masses(const Arm& arm);
+
+/// Whether the arm's lengths depend on its temperature.
+bool expands(const Arm& arm);
 
 /// The length of the arm stretched out, from its first axis to the tip of its longest probe: the sum of
 /// |a| and |d| after the first joint's d, and |tip|. This is what makes an angle comparable to a length.

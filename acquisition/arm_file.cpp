@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/joint_error_keys.h"
 #include "acquisition/parameters.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
@@ -47,6 +48,7 @@ Joint read_joint(TomlTable table, double length, double angle) {
   if (joint.lowest && joint.highest && *joint.lowest >= *joint.highest) {
     table.fail("min", "`min` of a joint is not below its `max`");
   }
+  read_joint_errors(table, angle, joint);
   return joint;
 }
 
@@ -74,6 +76,10 @@ void check_arm(const Arm& arm, TomlTable& root) {
     root.fail("joint", fmt::format("the arm has {} joints, expected 1 to {} tables headed [[joint]]", arm.joints.size(),
                                    max_joints));
   }
+  if (!has_masses(arm) && std::any_of(arm.joints.begin(), arm.joints.end(),
+                                      [](const Joint& joint) { return joint.errors.compliance != 0.0; })) {
+    root.fail("joint", "a joint gives way to gravity, but not every joint states the mass of its link, `mass_kg`");
+  }
   if (arm.probes.empty()) {
     root.fail("probe", "the arm has no probe, expected at least one table headed [[probe]]");
   }
@@ -99,7 +105,7 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   }
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
-  const auto parameters = parameters_with_radii(arm);
+  const auto parameters = all_parameters(arm);
   std::set<std::string> seen;
   for (const auto& name : known.parameters) {
     if (find_parameter(parameters, name) < 0) {
@@ -132,7 +138,7 @@ std::string joint_text(const Joint& joint) {
   for (const auto& [key, end] : {std::pair{"min", joint.lowest}, std::pair{"max", joint.highest}}) {
     text += end ? fmt::format("{} = {}  # {:.6f} deg\n", key, toml_number(*end), *end / units::degree) : "";
   }
-  return text + "\n";
+  return text + joint_errors_text(joint) + "\n";
 }
 
 std::string probe_text(const Probe& probe) {
@@ -146,7 +152,8 @@ std::string probe_text(const Probe& probe) {
 
 std::string identification_text(const ArmIdentification& known) {
   std::string text = fmt::format(
-      "# Covariance in mm and rad, in the order of `parameters`.\n[identified]\nprogram = {}\nrecording = "
+      "# Covariance in the parameters' units (mm, rad, rad/rad, rad/(N mm), 1/K), in the order of "
+      "`parameters`.\n[identified]\nprogram = {}\nrecording = "
       "{}\nparameters = [",
       toml_text(known.program), toml_text(known.recording));
   for (const auto& name : known.parameters) {
@@ -180,6 +187,7 @@ Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
   Arm& arm = result.arm;
   arm.name = root.name_or("name", at_most(80, path.stem().string()));
   arm.convention = read_convention(root);
+  read_surroundings(root, arm);
   TomlTable units = root.table("units");
   const double length = length_unit(units, "length");
   const double angle = angle_unit(units, "angle");
@@ -200,9 +208,9 @@ Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
 }
 
 std::string arm_file_text(const Arm& arm, const std::optional<ArmIdentification>& identification) {
-  std::string text =
-      fmt::format("schema = \"{}\"\nname = {}\nconvention = \"{}\"\nunits = {{ length = \"mm\", angle = \"rad\" }}\n\n",
-                  schema, toml_text(arm.name), arm.convention == Convention::Modified ? "modified" : "standard");
+  std::string text = fmt::format(
+      "schema = \"{}\"\nname = {}\nconvention = \"{}\"\nunits = {{ length = \"mm\", angle = \"rad\" }}\n{}\n", schema,
+      toml_text(arm.name), arm.convention == Convention::Modified ? "modified" : "standard", surroundings_text(arm));
   for (const Joint& joint : arm.joints) {
     text += joint_text(joint);
   }

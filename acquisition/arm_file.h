@@ -18,7 +18,7 @@ struct ArmIdentification {
   std::string program;                  ///< "artcal 0.1.0"
   std::string recording;                ///< SHA-256 of the recording file it was identified from
   std::vector<std::string> parameters;  ///< names of the identified ones
-  Eigen::MatrixXd covariance;           ///< of these, in mm and rad
+  Eigen::MatrixXd covariance;           ///< of these, in their units
   std::optional<double> noise;          ///< standard deviation of a reading's coordinate, mm
 };
 
@@ -31,7 +31,7 @@ struct ArmFile {
 
 Expected<ArmFile> read_arm_file(const std::filesystem::path& path);
 
-/// The file's text: in mm and rad with every digit, so that reading it back gives the same bits.
+/// The file's text: in mm, rad and what goes with them, with every digit, so that reading it back gives the same bits.
 std::string arm_file_text(const Arm& arm, const std::optional<ArmIdentification>& identification);
 
 }  // namespace artcal

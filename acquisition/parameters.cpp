@@ -1,6 +1,7 @@
 #include "acquisition/parameters.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -42,11 +43,21 @@ auto& slot(AnyArm& arm, const Parameter& parameter) {
     case ParameterKind::TipX: return arm.probes[owner].tip_in_last.x();
     case ParameterKind::TipY: return arm.probes[owner].tip_in_last.y();
     case ParameterKind::Radius: return arm.probes[owner].radius;
+    case ParameterKind::Cosine1: return arm.joints[owner].errors.cosine[0];
+    case ParameterKind::Sine1: return arm.joints[owner].errors.sine[0];
+    case ParameterKind::Cosine2: return arm.joints[owner].errors.cosine[1];
+    case ParameterKind::Sine2: return arm.joints[owner].errors.sine[1];
+    case ParameterKind::Gain: return arm.joints[owner].errors.gain;
+    case ParameterKind::Coupling: return arm.joints[owner].errors.coupling;
+    case ParameterKind::Compliance: return arm.joints[owner].errors.compliance;
+    case ParameterKind::Expansion: return arm.joints[owner].errors.expansion;
     case ParameterKind::TipZ: break;
   }
   return arm.probes[owner].tip_in_last.z();
 }
 
+constexpr double typical_torque = 1e3;   // N·mm
+constexpr double typical_warmth = 10.0;  // K
 }  // namespace
 
 std::vector<Parameter> parameters_of(const Arm& arm) {
@@ -71,11 +82,53 @@ std::vector<Parameter> parameters_with_radii(const Arm& arm) {
   return all;
 }
 
+std::vector<Parameter> all_parameters(const Arm& arm) {
+  constexpr std::array<std::string_view, joint_error_kinds> symbols{"cos_q", "sin_q",    "cos_2q",     "sin_2q",
+                                                                    "gain",  "coupling", "compliance", "expansion"};
+  std::vector<Parameter> all = parameters_with_radii(arm);
+  for (int k = 0; k < joint_error_kinds; ++k) {
+    const auto kind = static_cast<ParameterKind>(static_cast<int>(ParameterKind::Cosine1) + k);
+    for (int joint = 0; joint < static_cast<int>(arm.joints.size()); ++joint) {
+      if (kind != ParameterKind::Coupling || joint > 0) {
+        all.push_back({fmt::format("{}{}", symbols[static_cast<std::size_t>(k)], joint + 1), kind, joint});
+      }
+    }
+  }
+  return all;
+}
+
+bool Parameter::is_angle() const {
+  return kind == ParameterKind::Theta || kind == ParameterKind::Alpha || kind == ParameterKind::Beta ||
+         (kind >= ParameterKind::Cosine1 && kind <= ParameterKind::Sine2);
+}
+
+bool Parameter::is_length() const {
+  return kind == ParameterKind::A || kind == ParameterKind::D || is_tip() || kind == ParameterKind::Radius;
+}
+
+std::string_view Parameter::unit() const {
+  switch (kind) {
+    case ParameterKind::Gain:
+    case ParameterKind::Coupling: return "rad/rad";
+    case ParameterKind::Compliance: return "rad/(N mm)";
+    case ParameterKind::Expansion: return "1/K";
+    default: return is_angle() ? "rad" : "mm";
+  }
+}
+
 double value(const Arm& arm, const Parameter& parameter) { return slot(arm, parameter); }
 
 void set_value(Arm& arm, const Parameter& parameter, double new_value) { slot(arm, parameter) = new_value; }
 
-double physical_scale(const Parameter& parameter, double reach) { return parameter.is_angle() ? 1.0 / reach : 1.0; }
+double physical_scale(const Parameter& parameter, double reach) {
+  if (parameter.is_length()) {
+    return 1.0;
+  }
+  const double size = parameter.kind == ParameterKind::Compliance  ? typical_torque
+                      : parameter.kind == ParameterKind::Expansion ? typical_warmth
+                                                                   : 1.0;
+  return 1.0 / (reach * size);
+}
 
 int find_parameter(const std::vector<Parameter>& parameters, std::string_view name) {
   const auto found = std::find_if(parameters.begin(), parameters.end(),

@@ -29,14 +29,15 @@ class Labels {
 struct Reading {
   static constexpr double not_read = std::numeric_limits<double>::quiet_NaN();
 
-  int artefact = 0;               ///< into Recording::artefacts
-  int placement = 0;              ///< into Recording::placements
-  int feature = 0;                ///< into Recording::features
-  int orientation = 0;            ///< into Recording::orientations: the posture of the wrist, where it is told
-  int repeat = 0;                 ///< into Recording::repeats
-  int probe = 0;                  ///< into Arm::probes
-  double temperature = not_read;  ///< of the artefact, °C; NaN where it was not read
-  double length = not_read;       ///< measured from the tip to the feature's anchor, mm; NaN where there is none
+  int artefact = 0;                   ///< into Recording::artefacts
+  int placement = 0;                  ///< into Recording::placements
+  int feature = 0;                    ///< into Recording::features
+  int orientation = 0;                ///< into Recording::orientations: the posture of the wrist, where it is told
+  int repeat = 0;                     ///< into Recording::repeats
+  int probe = 0;                      ///< into Arm::probes
+  double temperature = not_read;      ///< of the artefact, °C; NaN where it was not read
+  double arm_temperature = not_read;  ///< of the arm, °C; NaN where it was not read
+  double length = not_read;           ///< measured from the tip to the feature's anchor, mm; NaN where there is none
   /// The tip's coordinates by another instrument, mm; NaN where there are none.
   Eigen::Vector3d reference = Eigen::Vector3d::Constant(not_read);
   /// The tip's centre in the base frame as the arm's own software reported it, mm; NaN where it did not.

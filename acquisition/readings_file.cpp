@@ -18,9 +18,9 @@ namespace artcal {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 14> known_columns{
-    "artefact", "placement", "feature", "orientation", "repeat", "probe", "temperature",
-    "length",   "ref_x",     "ref_y",   "ref_z",       "x",      "y",     "z"};
+constexpr std::array<std::string_view, 15> known_columns{
+    "artefact", "placement", "feature", "orientation", "repeat", "probe", "temperature", "arm_temperature", "length",
+    "ref_x",    "ref_y",     "ref_z",   "x",           "y",      "z"};
 
 // The number n of a column called qn, or 0.
 int joint_number(std::string_view name) {
@@ -36,7 +36,7 @@ int joint_number(std::string_view name) {
 /// Where each thing stands in this file; nothing where the column is absent.
 struct Columns {
   using Column = std::optional<std::size_t>;
-  Column artefact, placement, feature, orientation, repeat, probe, temperature, length;
+  Column artefact, placement, feature, orientation, repeat, probe, temperature, arm_temperature, length;
   std::array<Column, 3> reference;
   std::array<Column, 3> tip;
   std::vector<std::size_t> joints;  // none in a file of coordinates alone
@@ -71,6 +71,7 @@ Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
                   csv.column("repeat"),
                   csv.column("probe"),
                   csv.column("temperature"),
+                  csv.column("arm_temperature"),
                   csv.column("length"),
                   {csv.column("ref_x"), csv.column("ref_y"), csv.column("ref_z")},
                   {csv.column("x"), csv.column("y"), csv.column("z")},
@@ -144,15 +145,18 @@ Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& co
   reading.line = csv.line();
   const auto probe = find_probe(csv, columns.probe, recording.arm);
   const auto temperature = optional_number(csv, columns.temperature, 1.0, "a temperature in degC");
+  const auto arm_temperature = optional_number(csv, columns.arm_temperature, 1.0, "a temperature in degC");
   const auto length = optional_number(csv, columns.length, units.length, "a length");
-  for (const Error* error : {probe ? nullptr : &probe.error(), temperature ? nullptr : &temperature.error(),
-                             length ? nullptr : &length.error()}) {
+  for (const Error* error :
+       {probe ? nullptr : &probe.error(), temperature ? nullptr : &temperature.error(),
+        arm_temperature ? nullptr : &arm_temperature.error(), length ? nullptr : &length.error()}) {
     if (error != nullptr) {
       return tl::unexpected(*error);
     }
   }
   reading.probe = *probe;
   reading.temperature = *temperature;
+  reading.arm_temperature = *arm_temperature;
   reading.length = *length;
   for (int axis = 0; axis < 3; ++axis) {
     const auto value = optional_number(csv, columns.reference[axis], units.length, "a coordinate");

@@ -18,15 +18,16 @@ struct SpherePlace {
 
 /// What a recording says of one scan: a [[scan]] of recording.toml.
 struct RecordedScan {
-  std::string path;                   ///< of the points, resolved
-  std::string placement;              ///< where the artefact stood
-  std::string artefact;               ///< empty: the only one
-  std::string probe;                  ///< empty: the only one
-  std::string orientation;            ///< of the wrist; empty: not told
-  std::string repeat;                 ///< of a test; empty: there is one
-  std::optional<double> temperature;  ///< of the artefact, °C
-  CloudUnits units;                   ///< of x, y, z and of q1 … qn
-  std::optional<double> tolerance;    ///< of distances between spheres as the nominal arm sees them, mm
+  std::string path;                       ///< of the points, resolved
+  std::string placement;                  ///< where the artefact stood
+  std::string artefact;                   ///< empty: the only one
+  std::string probe;                      ///< empty: the only one
+  std::string orientation;                ///< of the wrist; empty: not told
+  std::string repeat;                     ///< of a test; empty: there is one
+  std::optional<double> temperature;      ///< of the artefact, °C
+  std::optional<double> arm_temperature;  ///< °C
+  CloudUnits units;                       ///< of x, y, z and of q1 … qn
+  std::optional<double> tolerance;        ///< of distances between spheres as the nominal arm sees them, mm
   std::vector<SpherePlace> places;
   int use_every = 1;  ///< of the points on spheres, every so manyth becomes a reading
   std::string where;  ///< of this table in recording.toml, for messages

@@ -30,6 +30,7 @@ struct IdentifyRequest {
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
   std::vector<std::string> free;  ///< parameters to identify although they are held by default
   std::string loss = "none";      ///< none, huber, cauchy
+  std::string model = "dh";       ///< groups of parameters, as identification/model.h reads them
 };
 
 /// What a recording asks of its own verification.

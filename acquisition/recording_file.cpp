@@ -52,6 +52,7 @@ IdentifyRequest read_request(TomlTable table) {
   if (request.loss != "none" && request.loss != "huber" && request.loss != "cauchy") {
     table.fail("loss", fmt::format("loss is {}, expected \"none\", \"huber\" or \"cauchy\"", in_quotes(request.loss)));
   }
+  request.model = table.text_or("model", request.model);
   return request;
 }
 

@@ -69,6 +69,10 @@ std::vector<Column> columns_of(const Recording& recording) {
     columns.push_back(
         {"temperature", [](const Recording&, const Reading& x) { return number_or_nothing(x.temperature, 4); }});
   }
+  if (any([](const Reading& x) { return std::isfinite(x.arm_temperature); })) {
+    columns.push_back({"arm_temperature",
+                       [](const Recording&, const Reading& x) { return number_or_nothing(x.arm_temperature, 4); }});
+  }
   if (any([](const Reading& x) { return std::isfinite(x.length); })) {
     columns.push_back({"length", [](const Recording&, const Reading& x) { return number_or_nothing(x.length, 9); }});
   }
@@ -93,7 +97,11 @@ std::string scan_text(const RecordedScan& scan) {
                                    {"repeat", &scan.repeat}}) {
     text += value->empty() ? "" : fmt::format("{} = {}\n", key, toml_text(*value));
   }
-  return text + (scan.temperature ? fmt::format("temperature = {:.4f}\n", *scan.temperature) : "");
+  for (const auto& [key, value] :
+       {std::pair("temperature", scan.temperature), std::pair("arm_temperature", scan.arm_temperature)}) {
+    text += value ? fmt::format("{} = {:.4f}\n", key, *value) : "";
+  }
+  return text;
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ std::optional<double> tolerance_of(TomlTable& table) {
   return value;
 }
 
-std::optional<double> temperature_of(TomlTable& table) {
+std::optional<double> temperature_at(TomlTable& table, std::string_view key) {
   constexpr double absolute_zero = -273.15;
-  const auto temperature = table.optional_number("temperature");
+  const auto temperature = table.optional_number(key);
   if (temperature && !(*temperature > absolute_zero && *temperature < 1e4)) {
-    table.fail("temperature", fmt::format("the temperature is {}, expected degC", *temperature));
+    table.fail(key, fmt::format("the temperature is {}, expected degC", *temperature));
   }
   return temperature;
 }
@@ -64,7 +64,8 @@ RecordedScan read_scan_table(TomlTable table, const std::filesystem::path& folde
   scan.probe = table.name_or("probe", "");
   scan.orientation = table.name_or("orientation", "");
   scan.repeat = table.name_or("repeat", "");
-  scan.temperature = temperature_of(table);
+  scan.temperature = temperature_at(table, "temperature");
+  scan.arm_temperature = temperature_at(table, "arm_temperature");
   scan.units = units;
   if (table.has("units")) {
     TomlTable own = table.table("units");

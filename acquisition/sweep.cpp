@@ -1,36 +1,22 @@
 #include "acquisition/sweep.h"
 
-#include <array>
-#include <cassert>
+#include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
+#include "acquisition/sweep_errors.h"
+#include "acquisition/sweep_walk.h"
 
 namespace artcal {
-
-/// The axes one joint turns or slides on, in the base frame.
-struct Sweep::Frame {
-  Eigen::Vector3d z, z_at;  // θ about z through z_at, d along z
-  Eigen::Vector3d x, x_at;  // α about x through x_at, a along x
-  Eigen::Vector3d y;        // β about y through x_at
-};
-
 namespace {
 
-void put(double* derivative, int column, const Eigen::Vector3d& value) {
-  if (column >= 0) {
-    double* out = derivative + 3 * static_cast<std::ptrdiff_t>(column);
-    out[0] = value.x();
-    out[1] = value.y();
-    out[2] = value.z();
-  }
+bool has_errors(const JointErrors& errors) {
+  return errors.cosine != std::array<double, 2>{} || errors.sine != std::array<double, 2>{} || errors.gain != 0.0 ||
+         errors.coupling != 0.0 || errors.compliance != 0.0 || errors.expansion != 0.0;
 }
 
-// In the middle of the hottest loop there is; a call would cost as much as the turn.
-[[gnu::always_inline]] inline void turn(Eigen::Vector3d& first, Eigen::Vector3d& second, double sine, double cosine) {
-  const Eigen::Vector3d turned = cosine * first + sine * second;
-  second = cosine * second - sine * first;
-  first = turned;
+bool asks_for_errors(const std::vector<Parameter>& parameters) {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const Parameter& parameter) { return parameter.is_joint_error(); });
 }
 
 }  // namespace
@@ -45,14 +31,23 @@ void joint_sines(std::span<const double> q, std::span<double> sines) {
 
 Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
     : convention_(arm.convention),
+      reference_temperature_(arm.reference_temperature),
       tip_in_last_(arm.probes[probe].tip_in_last),
       tip_radius_(arm.probes[probe].radius),
       columns_(static_cast<int>(parameters.size())) {
   assert(static_cast<int>(arm.joints.size()) <= max_joints);
+  bool errors = asks_for_errors(parameters);
   for (const Joint& joint : arm.joints) {
     links_.push_back({joint.a, joint.d, joint.sign, std::sin(joint.theta), std::cos(joint.theta), std::sin(joint.alpha),
                       std::cos(joint.alpha), std::sin(joint.beta), std::cos(joint.beta),
                       joint.has_beta || joint.beta != 0.0, -1, -1, -1, -1, -1});
+    errors = errors || artcal::has_errors(joint.errors);
+  }
+  for (std::size_t i = 0; errors && i < arm.joints.size(); ++i) {
+    const Joint& joint = arm.joints[i];
+    errors_.push_back({joint.errors, joint.mass.value_or(0.0) * arm.gravity_in_base, {}});
+    errors_.back().columns.fill(-1);
+    sags_ = sags_ || joint.errors.compliance != 0.0;
   }
   for (int column = 0; column < columns_; ++column) {
     const Parameter& parameter = parameters[column];
@@ -66,6 +61,12 @@ Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe
       column_radius_ = parameter.owner == probe ? column : column_radius_;
       continue;
     }
+    if (parameter.is_joint_error()) {
+      const int kind = static_cast<int>(parameter.kind) - static_cast<int>(ParameterKind::Cosine1);
+      errors_[parameter.owner].columns[kind] = column;
+      sags_ = sags_ || parameter.kind == ParameterKind::Compliance;
+      continue;
+    }
     Link& link = links_[parameter.owner];
     switch (parameter.kind) {
       case ParameterKind::A: link.column_a = column; break;
@@ -77,62 +78,25 @@ Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe
   }
 }
 
-// Walks the chain outwards; `visit(i, frame)` sees the axes of joint i, `visit(n, last)` nothing more.
-// Returns the tip; the last frame's axes are left in the closing call as x, y, z.
-template <typename Visit>
-Eigen::Vector3d Sweep::walk(JointSines sines, Visit&& visit) const {
-  assert(sines.size() == 2 * links_.size());
-  Eigen::Vector3d x = Eigen::Vector3d::UnitX();
-  Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-  Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  Frame frame;
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const Link& link = links_[i];
-    const double sin_q = link.sign * sines[2 * i];
-    const double cos_q = sines[2 * i + 1];
-    const double sine = link.sin_theta * cos_q + link.cos_theta * sin_q;
-    const double cosine = link.cos_theta * cos_q - link.sin_theta * sin_q;
-    if (convention_ == Convention::Standard) {
-      frame.z = z;
-      frame.z_at = p;
-      turn(x, y, sine, cosine);
-      p += link.d * z + link.a * x;
-      frame.x = x;
-      frame.x_at = p;
-      turn(y, z, link.sin_alpha, link.cos_alpha);
-      frame.y = y;
-      if (link.has_beta) {
-        turn(z, x, link.sin_beta, link.cos_beta);
-      }
-    } else {
-      frame.x = x;
-      turn(y, z, link.sin_alpha, link.cos_alpha);
-      p += link.a * x;
-      frame.x_at = p;
-      frame.y = y;
-      if (link.has_beta) {
-        turn(z, x, link.sin_beta, link.cos_beta);
-      }
-      frame.z = z;
-      frame.z_at = p;
-      turn(x, y, sine, cosine);
-      p += link.d * z;
-    }
-    visit(i, frame);
+Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  const auto nothing = [](std::size_t, const Frame&) {};
+  if (has_errors()) {
+    const Posture posture = posture_of(reading);
+    return walk(posture.sines.data(), posture.grown(), nothing);
   }
-  visit(links_.size(), Frame{z, p, x, p, y});
-  return p + tip_in_last_.x() * x + tip_in_last_.y() * y + tip_in_last_.z() * z;
+  return walk(reading.sines.data(), NoGrowth(), nothing);
 }
 
-Eigen::Vector3d Sweep::tip_in_base(JointSines sines) const {
-  return walk(sines, [](std::size_t, const Frame&) {});
-}
-
-Eigen::Vector3d Sweep::tip_in_base(JointSines sines, double* derivative) const {
-  std::array<Frame, max_joints + 1> frames;
-  const Eigen::Vector3d tip = walk(sines, [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading, double* derivative) const {
+  assert(reading.sines.size() == 2 * links_.size());
   Eigen::Map<Eigen::Matrix3Xd>(derivative, 3, columns_).setZero();
+  if (has_errors()) {
+    return put_with_errors(reading, derivative);
+  }
+  std::array<Frame, max_joints + 1> frames;
+  const Eigen::Vector3d tip =
+      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const Frame& frame = frames[i];
@@ -151,22 +115,33 @@ Eigen::Vector3d Sweep::tip_in_base(JointSines sines, double* derivative) const {
   return tip;
 }
 
-Eigen::Vector3d Sweep::tip_by_joints(JointSines sines, double* derivative) const {
+Eigen::Vector3d Sweep::tip_by_joints(const JointSines& reading, double* derivative) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  if (has_errors()) {
+    return put_by_joints_with_errors(reading, derivative);
+  }
   std::array<Frame, max_joints + 1> frames;
-  const Eigen::Vector3d tip = walk(sines, [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+  const Eigen::Vector3d tip =
+      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
     put(derivative, static_cast<int>(i), links_[i].sign * frames[i].z.cross(tip - frames[i].z_at));
   }
   return tip;
 }
 
-Eigen::Vector3d Sweep::axes_in_base(JointSines sines, double* directions, double* points) const {
-  return walk(sines, [&](std::size_t i, const Frame& frame) {
+Eigen::Vector3d Sweep::axes_in_base(const JointSines& reading, double* directions, double* points) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  const auto note = [&](std::size_t i, const Frame& frame) {
     if (i < links_.size()) {
       put(directions, static_cast<int>(i), frame.z);
       put(points, static_cast<int>(i), frame.z_at);
     }
-  });
+  };
+  if (has_errors()) {
+    const Posture posture = posture_of(reading);
+    return walk(posture.sines.data(), posture.grown(), note);
+  }
+  return walk(reading.sines.data(), NoGrowth(), note);
 }
 
 }  // namespace artcal

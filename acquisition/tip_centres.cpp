@@ -1,6 +1,7 @@
 #include "acquisition/tip_centres.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,6 +45,18 @@ Expected<void> require_joints(const Recording& recording) {
   return {};
 }
 
+Expected<void> require_arm_temperatures(const Recording& recording) {
+  for (std::size_t i = 0; i < recording.readings.size(); ++i) {
+    if (!std::isfinite(recording.readings[i].arm_temperature)) {
+      return bad_input(
+          "the arm's lengths depend on its temperature, and the reading does not say it; expected the column "
+          "arm_temperature in degC (that of the artefact is not taken for it)",
+          recording.where(static_cast<int>(i)));
+    }
+  }
+  return {};
+}
+
 Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm) {
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
@@ -51,6 +64,11 @@ Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm) {
   if (arm.joints.size() != recording.arm.joints.size()) {
     return bad_input(fmt::format("the arm {} has {} joints and the recording's has {}; is it the right arm?",
                                  in_quotes(arm.name), arm.joints.size(), recording.arm.joints.size()));
+  }
+  if (expands(arm)) {
+    if (auto there = require_arm_temperatures(recording); !there) {
+      return tl::unexpected(there.error());
+    }
   }
   const auto probes = probes_in(recording, arm);
   if (!probes) {
@@ -65,8 +83,10 @@ Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm) {
   const auto joints = static_cast<std::size_t>(recording.joints.rows());
   std::vector<double> sines(2 * joints);
   for (Eigen::Index i = 0; i < recording.joints.cols(); ++i) {
-    joint_sines({recording.joints.col(i).data(), joints}, sines);
-    tips.in_base.col(i) = sweeps[recording.readings[i].probe].tip_in_base(sines);
+    const std::span<const double> q(recording.joints.col(i).data(), joints);
+    joint_sines(q, sines);
+    const Reading& reading = recording.readings[static_cast<std::size_t>(i)];
+    tips.in_base.col(i) = sweeps[reading.probe].tip_in_base({sines, q, reading.arm_temperature});
   }
   return tips;
 }

@@ -20,7 +20,7 @@ struct TipCentres {
 
 /// The tip's centre of every reading by the kinematics of `arm`, which has the joints and the probes of the
 /// recording's. Refused: an arm of another number of joints, a probe that it does not have or has with another
-/// radius, a reading without joint angles.
+/// radius, a reading without joint angles, or without the arm's temperature where the arm expands.
 Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm);
 
 /// As reported where every reading says, else by the recording's own arm.
@@ -28,5 +28,8 @@ Expected<TipCentres> tip_centres(const Recording& recording);
 
 /// Whether every reading has joint angles; else an error at the first that has not, for whoever needs them.
 Expected<void> require_joints(const Recording& recording);
+
+/// Whether every reading has the arm's temperature; else an error at the first that has not.
+Expected<void> require_arm_temperatures(const Recording& recording);
 
 }  // namespace artcal

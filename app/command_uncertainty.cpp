@@ -65,7 +65,7 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
         file.input.path + ", [identified]");
   }
   UncertaintySources sources;
-  const auto all = parameters_with_radii(file.arm);
+  const auto all = all_parameters(file.arm);
   for (const auto& name : file.identification->parameters) {
     sources.parameters.push_back(all[find_parameter(all, name)]);
   }

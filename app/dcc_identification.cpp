@@ -17,7 +17,13 @@ constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* radian = "\\radian";
 
 const char* unit_of(const IdentifiedParameter& parameter) {
-  return parameter.parameter.is_angle() ? radian : millimetre;
+  switch (parameter.parameter.kind) {
+    case ParameterKind::Gain:
+    case ParameterKind::Coupling: return "\\one";
+    case ParameterKind::Compliance: return "\\radian\\newton\\tothe{-1}\\milli\\metre\\tothe{-1}";
+    case ParameterKind::Expansion: return "\\kelvin\\tothe{-1}";
+    default: return parameter.parameter.is_angle() ? radian : millimetre;
+  }
 }
 
 DccEntry plain_entry(const std::string& name, double value) {

@@ -30,9 +30,10 @@ Json path_of(const Arm& arm, const Eigen::VectorXd& q, int probe) {
   const int joints = static_cast<int>(arm.joints.size());
   const Sweep sweep(arm, {}, probe);
   std::vector<double> sines(2 * joints);
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
   Eigen::Matrix3Xd directions(3, joints), points(3, joints);
-  const Eigen::Vector3d tip = sweep.axes_in_base(sines, directions.data(), points.data());
+  const Eigen::Vector3d tip = sweep.axes_in_base({sines, angles}, directions.data(), points.data());
   Json path = Json::array();
   for (int i = 0; i < joints; ++i) {
     const Eigen::Vector3d begin = points.col(i);

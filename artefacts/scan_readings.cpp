@@ -28,6 +28,7 @@ class ReadingsOfScan {
     reading_.repeat = recording_.repeats.index_of(scan.repeat);
     reading_.probe = source.probe;
     reading_.temperature = scan.temperature.value_or(Reading::not_read);
+    reading_.arm_temperature = scan.arm_temperature.value_or(Reading::not_read);
     reading_.file = static_cast<int>(recording_.files.size()) - 1;
   }
   void add(const std::string& feature, const std::vector<int>& used) {

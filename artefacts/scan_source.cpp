@@ -87,6 +87,7 @@ Expected<Eigen::Matrix3Xd> tips_in_base(const Recording& recording, const Record
   posed.joints = cloud.joints;
   Reading reading;
   reading.probe = probe;
+  reading.arm_temperature = scan.arm_temperature.value_or(Reading::not_read);
   posed.readings.assign(static_cast<std::size_t>(cloud.joints.cols()), reading);
   return tip_centres(posed, arm != nullptr ? *arm : recording.arm).map([](TipCentres&& tips) {
     return std::move(tips.in_base);

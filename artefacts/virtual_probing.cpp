@@ -34,8 +34,9 @@ Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
 
 Eigen::Vector3d tip_of(const Arm& arm, const Eigen::VectorXd& q) {
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
-  return Sweep(arm, {}, 0).tip_in_base(sines);
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
+  return Sweep(arm, {}, 0).tip_in_base({sines, angles});
 }
 
 // A random posture on a given point; nothing if the arm does not get there from any of 50 starts.
@@ -227,15 +228,17 @@ VirtualRecording probe_plate(const Arm& arm, const VirtualProbing& options, Rand
 }  // namespace
 
 std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
-                                           Eigen::VectorXd start) {
+                                           Eigen::VectorXd start, double arm_temperature) {
   const Sweep sweep(arm, {}, probe);
   const double length = reach(arm);
   std::vector<double> sines(2 * arm.joints.size());
   Eigen::Matrix3Xd by_joints(3, start.size());
   Eigen::VectorXd& q = start;
   for (int iteration = 0; iteration < 100; ++iteration) {
-    joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
-    const Eigen::Vector3d miss = target_in_base - sweep.tip_by_joints(sines, by_joints.data());
+    const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+    joint_sines(angles, sines);
+    const Eigen::Vector3d miss =
+        target_in_base - sweep.tip_by_joints({sines, angles, arm_temperature}, by_joints.data());
     if (miss.norm() <= 1e-13 * length) {
       return q;
     }

@@ -1,5 +1,7 @@
 #include "identification/consistent.h"
 
+#include <algorithm>
+
 #include <Eigen/LU>
 
 #include "artefacts/virtual_probing.h"
@@ -28,7 +30,7 @@ bool needs_moving(const FeatureConstraint& feature, const Constraints& constrain
 
 int make_consistent(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns) {
   const auto sweeps = sweeps_of(system, arm);
-  const std::size_t width = 2 * arm.joints.size();
+  const std::size_t width = arm.joints.size();
   int left = 0;
   for (const auto& feature : system.constraints->features) {
     if (!needs_moving(feature, *system.constraints)) {
@@ -40,13 +42,15 @@ int make_consistent(System& system, const Recording& recording, const Arm& arm, 
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
       const Eigen::Vector3d target = nearest(residual, k, sweeps[system.probes[reading]], system.sines_of(reading));
-      const auto q = reach_point(arm, system.probes[reading], target, recording.joints.col(reading));
+      const auto q = reach_point(arm, system.probes[reading], target, recording.joints.col(reading),
+                                 system.temperatures[static_cast<std::size_t>(reading)]);
       if (!q) {
         ++left;
         continue;
       }
-      joint_sines({q->data(), arm.joints.size()},
-                  {system.sines.data() + width * static_cast<std::size_t>(reading), width});
+      const std::size_t first = width * static_cast<std::size_t>(reading);
+      std::copy(q->begin(), q->end(), system.joints.data() + first);
+      joint_sines({q->data(), width}, {system.sines.data() + 2 * first, 2 * width});
     }
   }
   return left;

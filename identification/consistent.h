@@ -14,7 +14,7 @@ namespace artcal {
 /// Readings of unknown points, of planes and of balls of unknown radius need it; those of certified coordinates,
 /// lengths and radii do not.
 ///
-/// REQUIRES: `unknowns` satisfy the distances. Changes System::sines; returns how many readings could not
+/// REQUIRES: `unknowns` satisfy the distances. Changes System::sines and joints; returns how many readings could not
 /// be moved (an arm stretched out, say), whose constraints are left as they are.
 int make_consistent(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns);
 

@@ -22,10 +22,12 @@ System make_system(const Recording& recording, const Constraints& constraints, c
     system.scale[i] = physical_scale(system.free[i], length);
   }
   const auto joints = static_cast<std::size_t>(recording.joints.rows());
+  system.joints.assign(recording.joints.data(), recording.joints.data() + recording.joints.size());
   system.sines.resize(2 * joints * recording.readings.size());
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
     joint_sines({recording.joints.data() + joints * i, joints}, {system.sines.data() + 2 * joints * i, 2 * joints});
     system.probes.push_back(recording.readings[i].probe);
+    system.temperatures.push_back(recording.readings[i].arm_temperature);
   }
   return system;
 }

@@ -55,16 +55,21 @@ struct System {
   const Constraints* constraints = nullptr;
   Arm start;
   std::vector<Parameter> free;
-  Eigen::VectorXd scale;                ///< mm or rad per unit of x
+  Eigen::VectorXd scale;                ///< in the parameters' units per unit of x
   std::vector<double> sines;            ///< sine and cosine of each joint of each reading
+  std::vector<double> joints;           ///< of each reading, rad
+  std::vector<double> temperatures;     ///< of the arm at each reading, °C; NaN where it was not read
   std::vector<int> probes;              ///< of each reading
   std::vector<Eigen::Vector3d> shifts;  ///< of each reading's tip in the base frame, mm; or empty: none
 
   [[nodiscard]] int arm_size() const { return static_cast<int>(free.size()); }
   [[nodiscard]] int shared_size() const { return static_cast<int>(constraints->shared.size()); }
   [[nodiscard]] JointSines sines_of(int reading) const {
-    const std::size_t width = 2 * start.joints.size();
-    return {sines.data() + width * static_cast<std::size_t>(reading), width};
+    const std::size_t width = start.joints.size();
+    const std::size_t first = width * static_cast<std::size_t>(reading);
+    return {{sines.data() + 2 * first, 2 * width},
+            {joints.data() + first, width},
+            temperatures[static_cast<std::size_t>(reading)]};
   }
   [[nodiscard]] Arm arm_at(const double* x) const;
 };

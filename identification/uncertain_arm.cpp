@@ -17,12 +17,13 @@ UncertainArm UncertainArm::without_noise() const {
 
 UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
   UncertainTip tip;
   tip.by_parameter.resize(3, sweep_.column_count());
   tip.by_joint.resize(3, sweep_.joint_count());
-  sweep_.tip_by_joints(sines, tip.by_joint.data());
-  tip.in_base = sweep_.tip_in_base(sines, tip.by_parameter.data());
+  sweep_.tip_by_joints({sines, angles}, tip.by_joint.data());
+  tip.in_base = sweep_.tip_in_base({sines, angles}, tip.by_parameter.data());
   return tip;
 }
 

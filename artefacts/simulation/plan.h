@@ -56,7 +56,9 @@ struct PlannedPlacement {
   bool upright = false;                     ///< a drawn one is turned about the vertical only
   std::optional<double> temperature;  ///< of the artefact at the first reading, °C; absent: the reference, not read
   double temperature_end = 0.0;       ///< at the last; linear between
-  std::string where;                  ///< in the plan, for messages
+  std::optional<double> arm_temperature;  ///< of the arm, in the same way
+  double arm_temperature_end = 0.0;
+  std::string where;  ///< in the plan, for messages
 };
 
 /// How points lie on a feature.

@@ -43,14 +43,15 @@ Eigen::Matrix3d turned(const Eigen::Vector3d& about_xyz) {
       .toRotationMatrix();
 }
 
-void read_temperature(TomlTable& table, PlannedPlacement& placement) {
-  if (table.has("temperature_C")) {
-    placement.temperature = number_between(table, "temperature_C", 20.0, -100.0, 200.0);
+void read_temperature(TomlTable& table, const std::string& prefix, std::optional<double>& begin, double& end) {
+  const std::string at_begin = prefix + "temperature_C";
+  const std::string at_end = prefix + "temperature_end_C";
+  if (table.has(at_begin)) {
+    begin = number_between(table, at_begin, 20.0, -100.0, 200.0);
   }
-  placement.temperature_end =
-      number_between(table, "temperature_end_C", placement.temperature.value_or(20.0), -100.0, 200.0);
-  if (table.has("temperature_end_C") && !placement.temperature) {
-    table.fail("temperature_end_C", "a temperature at the end needs one at the beginning, `temperature_C`");
+  end = number_between(table, at_end, begin.value_or(20.0), -100.0, 200.0);
+  if (table.has(at_end) && !begin) {
+    table.fail(at_end, fmt::format("a temperature at the end needs one at the beginning, `{}`", at_begin));
   }
 }
 
@@ -76,7 +77,8 @@ void read_placement(TomlTable table, SimulationPlan& plan, const PlanUnits& unit
     placement.base_from_artefact = Rigid{turned(units.angle * turn.value_or(Eigen::Vector3d::Zero())),
                                          units.length * position.value_or(Eigen::Vector3d::Zero())};
   }
-  read_temperature(table, placement);
+  read_temperature(table, "", placement.temperature, placement.temperature_end);
+  read_temperature(table, "arm_", placement.arm_temperature, placement.arm_temperature_end);
   const std::string name = table.name_or("name", "");
   for (int i = 0; i < std::max(1, drawn); ++i) {
     const std::string number = fmt::format("{}", drawn == 0 || name.empty() ? plan.placements.size() + 1 : i + 1);

@@ -52,10 +52,11 @@ bool is_beyond(const Arm& arm, const Eigen::Vector3d& target_in_base) {
 Elbow elbow_side(const Arm& arm, int probe, const Eigen::VectorXd& rigid_readings) {
   const Eigen::Index count = rigid_readings.size();
   std::vector<double> sines(2 * static_cast<std::size_t>(count));
-  joint_sines({rigid_readings.data(), static_cast<std::size_t>(count)}, sines);
+  const std::span<const double> angles(rigid_readings.data(), static_cast<std::size_t>(count));
+  joint_sines(angles, sines);
   Eigen::Matrix3Xd axes(3, count);
   Eigen::Matrix3Xd points(3, count);
-  const Eigen::Vector3d tip = Sweep(arm, {}, probe).axes_in_base(sines, axes.data(), points.data());
+  const Eigen::Vector3d tip = Sweep(arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
   const Eigen::Vector3d left = axes.col(0).cross(tip - points.col(0)).normalized();
   double furthest = 0.0;
   for (Eigen::Index i = 1; i < count; ++i) {
@@ -77,7 +78,7 @@ std::optional<Eigen::VectorXd> find_posture_near(const VirtualArm& arm, const Po
                                                  const Eigen::VectorXd& start) {
   Eigen::VectorXd from = start;
   for (int push = 0; push < most_pushes; ++push) {
-    const auto rigid = reach_point(arm.arm, request.probe, request.tip_in_base, from);
+    const auto rigid = reach_point(arm.arm, request.probe, request.tip_in_base, from, request.arm_temperature);
     if (!rigid) {
       return std::nullopt;
     }

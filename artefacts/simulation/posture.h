@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include <Eigen/Core>
@@ -23,6 +24,7 @@ struct PostureRequest {
   Elbow elbow = Elbow::Either;                            ///< a wish: the other side where this one cannot be had
   Eigen::VectorXd encoder_noise;  ///< rad, what comes on top of the readings; the sum keeps to the stops
   double margin = 0.0;            ///< rad that the readings keep from the stops
+  double arm_temperature = std::numeric_limits<double>::quiet_NaN();  ///< °C; NaN: the arm's reference
 };
 
 /// Joint readings without noise (rad) that have the tip where it is asked for, from a random start between the

@@ -52,6 +52,15 @@ double temperature_at(const Scene& scene, int index, int count) {
   return *placement.temperature + part * (placement.temperature_end - *placement.temperature);
 }
 
+// Not a number where the plan states none: the arm is at its reference.
+double arm_temperature_at(const Scene& scene, int index, int count) {
+  const PlannedPlacement& placement = scene.plan.placements[scene.placement];
+  const double part = count > 1 ? static_cast<double>(index) / (count - 1) : 0.0;
+  return placement.arm_temperature
+             ? *placement.arm_temperature + part * (placement.arm_temperature_end - *placement.arm_temperature)
+             : Reading::not_read;
+}
+
 const Artefact& certified(const Scene& scene) {
   return scene.plan.artefacts[scene.plan.placements[scene.placement].artefact].certified;
 }
@@ -107,8 +116,12 @@ std::optional<Eigen::VectorXd> orientation_posture(const Scene& scene, const Job
 std::optional<Taken> touch(const Scene& scene, const Job& job, int index, int count, Chance& chance) {
   const double temperature = temperature_at(scene, index, count);
   const RealFeature there = in_base(scene, job.feature, temperature);
-  const PostureRequest request{scene.plan.probings[job.probing].probe, contact(scene, job, there) + chance.probing,
-                               alternating(job.point + job.repeat), chance.encoders, 0.0};
+  const PostureRequest request{scene.plan.probings[job.probing].probe,
+                               contact(scene, job, there) + chance.probing,
+                               alternating(job.point + job.repeat),
+                               chance.encoders,
+                               0.0,
+                               arm_temperature_at(scene, index, count)};
   std::optional<Eigen::VectorXd> q;
   if (job.orientation > 0 || scene.plan.probings[static_cast<std::size_t>(job.probing)].scan) {
     // The reference temperature: the posture is to be the same for all of them.
@@ -146,8 +159,10 @@ std::optional<Taken> measure_afar(const Scene& scene, const Job& job, int index,
     const Eigen::VectorXd rigid = random_readings(scene.arm, chance.random);
     Taken taken;
     taken.joints = readings_of(scene.arm, probing.probe, rigid) + chance.encoders;
-    joint_sines({rigid.data(), static_cast<std::size_t>(rigid.size())}, sines);
-    const Eigen::Vector3d seen = sweep.tip_in_base(sines) - chance.probing;
+    const std::span<const double> angles(rigid.data(), static_cast<std::size_t>(rigid.size()));
+    joint_sines(angles, sines);
+    const Eigen::Vector3d seen =
+        sweep.tip_in_base({sines, angles, arm_temperature_at(scene, index, count)}) - chance.probing;
     const double length = (seen - there.at).norm();
     if (!keeps_to_stops(scene.arm, taken.joints)) {
       continue;
@@ -197,6 +212,12 @@ std::optional<Taken> take_reading(const Scene& scene, const Job& job, int index,
                    : touch(scene, job, index, count, chance);
   if (taken && scene.plan.placements[scene.placement].temperature) {
     taken->temperature = temperature_at(scene, index, count) + chance.temperature;
+  }
+  if (taken) {
+    // A stream of its own: stating it changes nothing else that is drawn.
+    RandomStream random(scene.plan.seed, "arm temperature",
+                        (static_cast<std::uint64_t>(scene.placement) << 32) + static_cast<std::uint64_t>(index));
+    taken->arm_temperature = arm_temperature_at(scene, index, count) + scene.plan.noise.temperature * random.normal();
   }
   return taken;
 }

@@ -38,7 +38,8 @@ struct Scene {
 /// What a reading gives.
 struct Taken {
   Eigen::VectorXd joints;                                                    ///< rad, noise included
-  double temperature = Reading::not_read;                                    ///< °C
+  double temperature = Reading::not_read;                                    ///< of the artefact, °C
+  double arm_temperature = Reading::not_read;                                ///< °C
   double length = Reading::not_read;                                         ///< mm
   Eigen::Vector3d reference = Eigen::Vector3d::Constant(Reading::not_read);  ///< mm
 };

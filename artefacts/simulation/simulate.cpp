@@ -76,8 +76,9 @@ Eigen::Vector3d middle_of(const RealArtefact& artefact) {
 Rigid drawn_pose(const Scene& scene, RandomStream& random) {
   const Eigen::VectorXd q = random_readings(scene.arm, random);
   std::vector<double> sines(2 * scene.arm.joints.size());
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
-  const Eigen::Vector3d middle_in_base = Sweep(scene.arm.arm, {}, 0).tip_in_base(sines);
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
+  const Eigen::Vector3d middle_in_base = Sweep(scene.arm.arm, {}, 0).tip_in_base({sines, angles});
   Rigid pose;
   const double about_z = random.uniform(-std::numbers::pi, std::numbers::pi);
   pose.rotation = scene.plan.placements[scene.placement].upright
@@ -142,6 +143,7 @@ void add_to(Recording& recording, const SimulationPlan& plan, int placement, con
   reading.repeat = recording.repeats.index_of(probing.repeats > 1 ? fmt::format("{}", job.repeat + 1) : "");
   reading.probe = probing.probe;
   reading.temperature = taken.temperature;
+  reading.arm_temperature = taken.arm_temperature;
   reading.length = taken.length;
   reading.reference = taken.reference;
   recording.joints.col(static_cast<Eigen::Index>(recording.readings.size())) = taken.joints;

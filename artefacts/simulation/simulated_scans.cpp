@@ -12,10 +12,10 @@ const Reading& first_of(const Simulation& simulation, const SimulatedScan& scan)
   return simulation.recording.readings[static_cast<std::size_t>(scan.readings.front())];
 }
 
-std::optional<double> mean_temperature(const Simulation& simulation, const SimulatedScan& scan) {
+std::optional<double> mean_of(double Reading::*temperature, const Simulation& simulation, const SimulatedScan& scan) {
   double sum = 0.0;
   for (const int reading : scan.readings) {
-    sum += simulation.recording.readings[static_cast<std::size_t>(reading)].temperature;
+    sum += simulation.recording.readings[static_cast<std::size_t>(reading)].*temperature;
   }
   return std::isfinite(sum) ? std::optional(sum / static_cast<double>(scan.readings.size())) : std::nullopt;
 }
@@ -32,7 +32,8 @@ RecordedScan recorded(const Simulation& simulation, const SimulatedScan& scan) {
   if (recording.arm.probes.size() > 1) {
     written.probe = recording.arm.probes[static_cast<std::size_t>(first.probe)].name;
   }
-  written.temperature = mean_temperature(simulation, scan);
+  written.temperature = mean_of(&Reading::temperature, simulation, scan);
+  written.arm_temperature = mean_of(&Reading::arm_temperature, simulation, scan);
   return written;
 }
 

@@ -21,10 +21,11 @@ double encoder_error(const VirtualJoint& joint, double q) {
 Eigen::VectorXd gravity_torques(const VirtualArm& arm, int probe, const Eigen::VectorXd& rigid_readings) {
   const Eigen::Index count = rigid_readings.size();
   std::vector<double> sines(2 * static_cast<std::size_t>(count));
-  joint_sines({rigid_readings.data(), static_cast<std::size_t>(count)}, sines);
+  const std::span<const double> angles(rigid_readings.data(), static_cast<std::size_t>(count));
+  joint_sines(angles, sines);
   Eigen::Matrix3Xd axes(3, count);
   Eigen::Matrix3Xd points(3, count + 1);
-  points.col(count) = Sweep(arm.arm, {}, probe).axes_in_base(sines, axes.data(), points.data());
+  points.col(count) = Sweep(arm.arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
   Eigen::VectorXd torques(count);
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // weight of all further out, N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of it about the origin of the base, N·mm

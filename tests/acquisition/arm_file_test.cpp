@@ -41,6 +41,7 @@ void expect_same(const Arm& read, const Arm& written) {
   for (std::size_t i = 0; i < read.joints.size(); ++i) {
     EXPECT_EQ(read.joints[i].sign, written.joints[i].sign);
     EXPECT_EQ(read.joints[i].has_beta, written.joints[i].has_beta);
+    EXPECT_EQ(read.joints[i].mass, written.joints[i].mass);
   }
   ASSERT_EQ(read.probes.size(), written.probes.size());
   for (std::size_t i = 0; i < read.probes.size(); ++i) {
@@ -48,7 +49,9 @@ void expect_same(const Arm& read, const Arm& written) {
     EXPECT_EQ(read.probes[i].on_axis, written.probes[i].on_axis);
     EXPECT_TRUE(same_bits(read.probes[i].radius, written.probes[i].radius));
   }
-  for (const Parameter& parameter : parameters_of(written)) {
+  EXPECT_EQ(read.gravity_in_base, written.gravity_in_base);
+  EXPECT_EQ(read.reference_temperature, written.reference_temperature);
+  for (const Parameter& parameter : all_parameters(written)) {
     EXPECT_TRUE(same_bits(value(read, parameter), value(written, parameter))) << parameter.name;
   }
 }
@@ -135,6 +138,16 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
   for (std::uint64_t i = 0; i < 200; ++i) {
     RandomStream random(1, "arm_file_test", i);
     Arm arm = testing::random_arm(random);
+    if (i % 3 == 0) {
+      for (const Parameter& parameter : all_parameters(arm)) {
+        set_value(arm, parameter, parameter.is_joint_error() ? 1e-8 * random.normal() : value(arm, parameter));
+      }
+      for (Joint& joint : arm.joints) {
+        joint.mass = random.uniform();
+      }
+      arm.gravity_in_base = 9.81 * random.direction();
+      arm.reference_temperature = random.uniform(18.0, 23.0);
+    }
     arm.name = names[i % names.size()];
     arm.probes.back().name = names[i % names.size()] + " probe";
     std::optional<ArmIdentification> known;
@@ -160,6 +173,43 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
     }
     EXPECT_EQ(arm_file_text(file->arm, file->identification), arm_file_text(arm, known));
   }
+}
+
+TEST_F(ArmFileTest, ReadsWhatJointsDoBesideTurning) {
+  // In degrees as the file, and in the field's units.
+  const std::string with_masses =
+      replaced(replaced(text_, "alpha = 90\n",
+                        "alpha = 90\ncos_q = 0.001\nsin_2q_arcsec = -12\ngain_ppm = 40\ncoupling = 1e-5\n"
+                        "compliance_arcsec_per_Nm = 10\nmass_kg = 2.5\nexpansion_per_K = 1.2e-5\n"),
+               "[[probe]]", "mass_kg = 0\n[[probe]]");
+  const auto arm = read(with_masses);
+  ASSERT_TRUE(arm) << arm.error().text();
+  const Joint& joint = arm->arm.joints[0];
+  EXPECT_DOUBLE_EQ(joint.errors.cosine[0], 0.001 * units::degree);
+  EXPECT_DOUBLE_EQ(joint.errors.sine[1], -12.0 * units::arcsecond);
+  EXPECT_DOUBLE_EQ(joint.errors.gain, 40e-6);
+  EXPECT_DOUBLE_EQ(joint.errors.coupling, 1e-5);
+  EXPECT_DOUBLE_EQ(joint.errors.compliance, 10.0 * units::arcsecond / 1000.0);
+  EXPECT_DOUBLE_EQ(joint.errors.expansion, 1.2e-5);
+  EXPECT_EQ(joint.mass, 2.5);
+  EXPECT_EQ(arm->arm.joints[1].mass, 0.0);
+}
+
+TEST_F(ArmFileTest, RefusesJointErrorsThatNoJointHas) {
+  const auto with = [&](const std::string& keys) {
+    return refusal(replaced(text_, "alpha = 90\n", "alpha = 90\n" + keys));
+  };
+  EXPECT_THAT(with("cos_q = 12\n"), HasSubstr("that is 4.32e+04 arcsec, expected at most 2063; is its unit right?"));
+  EXPECT_THAT(with("gain = 40\n"), HasSubstr("expected at most 1e+05"));
+  EXPECT_THAT(with("gain = 1e-5\ngain_ppm = 10\n"), HasSubstr("state either `gain` or `gain_ppm`, not both"));
+  EXPECT_THAT(with("expansion_per_K = 11.5\n"), HasSubstr("ppm/K"));
+  EXPECT_THAT(with("mass_kg = -1\n"), HasSubstr("the mass of a link is -1 kg"));
+  EXPECT_THAT(with("compliance_arcsec_per_Nm = 10\nmass_kg = 1\n"), HasSubstr("not every joint states the mass"));
+  EXPECT_THAT(with("harmonic = 1\n"), HasSubstr("harmonic"));
+  const auto at_root = [&](const std::string& key) { return refusal(replaced(text_, "name = ", key + "\nname = ")); };
+  EXPECT_THAT(at_root("gravity_m_s2 = [0, 0, -9806.65]"), HasSubstr("is no gravity"));
+  EXPECT_THAT(at_root("gravity_m_s2 = [0, -9.81]"), HasSubstr("is no gravity"));
+  EXPECT_THAT(at_root("reference_temperature_C = 293.15"), HasSubstr("the reference temperature is 293.15"));
 }
 
 TEST_F(ArmFileTest, RefusesNamesThatATerminalWouldObey) {

@@ -50,9 +50,10 @@ std::string many_lines(int count, int bad) {
 
 TEST_F(ReadingsFile, ReadsEverything) {
   ASSERT_TRUE(
-      read("artefact,placement,feature,orientation,repeat,probe,temperature,length,ref_x,ref_y,ref_z,q2,q1,x-note\n"
-           "bar,p1,A,up,1,ball,20.5,0.5,1,2,3,90,-45,hello\n"
-           "bar,p2,B,down,2,,,,,,,180,30,\n",
+      read("artefact,placement,feature,orientation,repeat,probe,temperature,arm_temperature,length,ref_x,ref_y,"
+           "ref_z,q2,q1,x-note\n"
+           "bar,p1,A,up,1,ball,20.5,23.25,0.5,1,2,3,90,-45,hello\n"
+           "bar,p2,B,down,2,,,,,,,,180,30,\n",
            {units::degree, units::metre}));
   ASSERT_EQ(recording.readings.size(), 2u);
   ASSERT_EQ(recording.joints.rows(), 2);
@@ -67,12 +68,14 @@ TEST_F(ReadingsFile, ReadsEverything) {
   EXPECT_EQ(recording.orientations.name(first.orientation), "up");
   EXPECT_EQ(recording.repeats.name(first.repeat), "1");
   EXPECT_EQ(first.temperature, 20.5);
+  EXPECT_EQ(first.arm_temperature, 23.25);
   EXPECT_EQ(first.length, 500.0);
   EXPECT_EQ(first.reference, Eigen::Vector3d(1000.0, 2000.0, 3000.0));
   EXPECT_EQ(first.line, 2);
   const Reading& second = recording.readings[1];
   EXPECT_EQ(recording.placements.name(second.placement), "p2");
   EXPECT_TRUE(std::isnan(second.temperature));
+  EXPECT_TRUE(std::isnan(second.arm_temperature));
   EXPECT_TRUE(std::isnan(second.length));
   EXPECT_TRUE(second.reference.array().isNaN().all());
   EXPECT_EQ(second.probe, 0);

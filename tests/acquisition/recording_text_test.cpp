@@ -28,9 +28,9 @@ class RecordingTextTest : public ::testing::Test {
 TEST_F(RecordingTextTest, ReadsBackAsItWas) {
   testing::ExampleRecording example;
   example.readings =
-      "placement,feature,orientation,repeat,temperature,length,ref_x,ref_y,ref_z,q1,q2\n"
-      "\"left, upper\",A,1,2,20.25,1000.123456789,1,2,3,10,20.123456789012\n"
-      "\"#2 \",\"B\"\"\",,,,,,,,-179.5,40\n";
+      "placement,feature,orientation,repeat,temperature,arm_temperature,length,ref_x,ref_y,ref_z,q1,q2\n"
+      "\"left, upper\",A,1,2,20.25,23.5,1000.123456789,1,2,3,10,20.123456789012\n"
+      "\"#2 \",\"B\"\"\",,,,,,,,,-179.5,40\n";
   Recording recording = read(example.write(folder_));
   recording.name = "a \"name\" \\ of its own";
   recording.noise = {{}, 2.0 * units::arcsecond, 0.003};
@@ -46,7 +46,9 @@ TEST_F(RecordingTextTest, ReadsBackAsItWas) {
   EXPECT_EQ(again.orientations.name(again.readings[0].orientation), "1");
   EXPECT_EQ(again.repeats.name(again.readings[0].repeat), "2");
   EXPECT_DOUBLE_EQ(again.readings[0].temperature, 20.25);
+  EXPECT_DOUBLE_EQ(again.readings[0].arm_temperature, 23.5);
   EXPECT_TRUE(std::isnan(again.readings[1].temperature));
+  EXPECT_TRUE(std::isnan(again.readings[1].arm_temperature));
   EXPECT_DOUBLE_EQ(again.readings[0].length, 1000.123456789);
   EXPECT_EQ(again.readings[0].reference, Eigen::Vector3d(1.0, 2.0, 3.0));
 }

@@ -192,13 +192,19 @@ TEST(Sweep, AllocatesNothing) {
   }
   const Case c(3);
   const Sweep sweep(c.arm, c.parameters, c.probe);
+  Arm bent = c.arm;
+  bent.joints[0].errors = {{1e-4, 0.0}, {0.0, 1e-4}, 1e-4, 0.0, 1e-8, 1e-5};
+  bent.joints[0].mass = 1.0;
+  const Sweep bent_sweep(bent, all_parameters(bent), c.probe);
   std::vector<double> sines(2 * c.q.size());
-  std::vector<double> derivative(3 * c.parameters.size());
+  std::vector<double> derivative(3 * static_cast<std::size_t>(bent_sweep.column_count()));
   const long before = testing::allocation_count.load();
   joint_sines(c.q, sines);
   Eigen::Vector3d tip = sweep.tip_in_base(sines);
   tip += sweep.tip_in_base(sines, derivative.data());
   tip += sweep.tip_by_joints(sines, derivative.data());
+  tip += bent_sweep.tip_in_base({sines, c.q}, derivative.data());
+  tip += bent_sweep.tip_by_joints({sines, c.q}, derivative.data());
   const long allocations = testing::allocation_count.load() - before;
   EXPECT_EQ(allocations, 0) << tip;
   // The counter itself counts.

@@ -80,6 +80,23 @@ TEST_F(TipCentresTest, AnotherArmMustFit) {
   EXPECT_THAT(tip_centres(recording, other).error().message, HasSubstr("has no probe \"ball\""));
 }
 
+TEST_F(TipCentresTest, AnArmThatExpandsNeedsItsTemperature) {
+  ExampleRecording files;
+  files.arm = replaced(files.arm, "alpha = 0\n", "alpha = 0\nexpansion_ppm_per_K = 20\ngain_ppm = 100\n");
+  EXPECT_THAT(tip_centres(read(files).value()).error().text(), HasSubstr("readings.csv:2: the arm's lengths depend"));
+  files.readings = "placement,temperature,arm_temperature,q1,q2\np1,20,25,10,380\n";
+  const Recording recording = read(files).value();
+  const Eigen::VectorXd q = recording.joints.col(0);
+  const auto expected = testing::tip_with_errors(testing::ArmNumbers<double>(recording.arm),
+                                                 std::vector<double>(q.begin(), q.end()), 0, 5.0);
+  const Eigen::Vector3d tip = tip_centres(recording).value().in_base.col(0);
+  EXPECT_LT((tip - expected).norm(), 1e-10);
+  // 300 mm of 20 ppm/K at 5 K.
+  Arm cold = recording.arm;
+  cold.reference_temperature = 25.0;
+  EXPECT_NEAR((tip - tip_centres(recording, cold).value().in_base.col(0)).norm(), 0.030, 0.006);
+}
+
 TEST_F(TipCentresTest, JointLimitsSurviveTheFile) {
   ExampleRecording files;
   files.arm = replaced(files.arm, "alpha = 90\n", "alpha = 90\nmin = -170\nmax = 165\n");

@@ -28,6 +28,7 @@ constexpr const char* plan_text =
     "[[joint]]\nstops = [-170, 180]\neccentricity = \"10 um\"\ngrating = \"60 mm\"\nfirst_phase = 90\n"
     "[[joint]]\nencoder = \"1 arcsec\"\ncompliance_arcsec_per_Nm = 2\nmass_kg = 1.5\n"
     "[[placement]]\nname = \"left\"\nposition = [0.3, 0.1, 0]\nturn = [0, 0, 90]\ntemperature_C = 22\n"
+    "arm_temperature_C = 24\narm_temperature_end_C = 25\n"
     "[[placement]]\nname = \"any\"\nrandom = 3\nupright = true\n"
     "[[probing]]\nfeatures = [\"B\"]\npoints = 9\nrepeats = 2\ncap = 45\n"
     "[[probing]]\npattern = \"iso25\"\nplacements = [\"any\"]\n";
@@ -71,6 +72,8 @@ TEST_F(PlanFileTest, SaysEverythingInTheProgramsUnits) {
   EXPECT_LT((plan.placements[0].base_from_artefact->rotation.col(0) - Eigen::Vector3d::UnitY()).norm(), 1e-12);
   EXPECT_EQ(plan.placements[0].temperature, 22.0);
   EXPECT_EQ(plan.placements[0].temperature_end, 22.0);
+  EXPECT_EQ(plan.placements[0].arm_temperature, 24.0);
+  EXPECT_EQ(plan.placements[0].arm_temperature_end, 25.0);
   EXPECT_EQ(plan.placements[3].name, "any 3");
   EXPECT_TRUE(plan.placements[3].upright);
   ASSERT_EQ(plan.probings.size(), 2u);
@@ -160,8 +163,8 @@ TEST_F(PlanFileTest, RefusesPlacementsThatContradictThemselves) {
               HasSubstr("states its `position`, or how many"));
   EXPECT_THAT(refusal("random = 3", "position = [0, 0, 0]"), HasSubstr("`upright` is for placements that are drawn"));
   EXPECT_THAT(refusal("name = \"any\"", "name = \"any\"\nturn = [0, 0, 1]"), HasSubstr("`turn` goes with `position`"));
-  EXPECT_THAT(refusal("temperature_C = 22", "temperature_C = 2200"), HasSubstr("`temperature_C` is 2200"));
-  EXPECT_THAT(refusal("temperature_C = 22", "temperature_end_C = 22"), HasSubstr("needs one at the beginning"));
+  EXPECT_THAT(refusal("\ntemperature_C = 22", "\ntemperature_C = 2200"), HasSubstr("`temperature_C` is 2200"));
+  EXPECT_THAT(refusal("\ntemperature_C = 22", "\ntemperature_end_C = 22"), HasSubstr("needs one at the beginning"));
   EXPECT_THAT(refusal("name = \"any\"\nrandom = 3\nupright = true", "name = \"left\"\nposition = [0, 0, 0]"),
               HasSubstr("two placements are called \"left\""));
   EXPECT_THAT(refusal("cap = 45", "extent = [1, 1]"), HasSubstr("`extent` is for planes"));

@@ -94,6 +94,26 @@ TEST(Simulate, ArtefactsGrowWithTheirTemperature) {
   }
 }
 
+// Gains, couplings and warm links of the true arm's own file, against its equations written with matrices.
+TEST(Simulate, TipsOfAnArmWithJointErrorsTouchTheBalls) {
+  SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere));
+  plan.placements[0].arm_temperature = 24.0;
+  plan.placements[0].arm_temperature_end = 30.0;
+  for (std::size_t i = 1; i < plan.arm.arm.joints.size(); ++i) {
+    plan.arm.arm.joints[i].errors = {{1e-4, 0.0}, {0.0, -5e-5}, 2e-4, -1e-4, 0.0, 1.2e-5};
+  }
+  const Simulation simulation = made(plan);
+  const testing::ArmNumbers<double> numbers(simulation.arm.arm);
+  for (int i = 0; i < 75; ++i) {
+    const double temperature = simulation.recording.readings[i].arm_temperature;
+    EXPECT_NEAR(temperature, 24.0 + 6.0 * i / 74.0, 1e-12);
+    const auto q = simulation.recording.joints.col(i);
+    const Eigen::Vector3d there = testing::tip_with_errors(numbers, std::vector<double>(q.begin(), q.end()), 0,
+                                                           temperature - simulation.arm.arm.reference_temperature);
+    EXPECT_NEAR((there - centre(simulation, feature_of(simulation, i))).norm(), 12.7 + 3.0, 1e-9);
+  }
+}
+
 TEST(Simulate, TipsTouchThePlane) {
   PlannedArtefact plate;
   plate.certified.name = "plate";

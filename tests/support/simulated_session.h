@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -41,6 +42,13 @@ struct SessionNoise {
   double probing = 0.003;                                    ///< mm
 };
 
+inline bool has_joint_errors(const Arm& arm) {
+  const auto all = all_parameters(arm);
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    return parameter.is_joint_error() && value(arm, parameter) != 0.0;
+  });
+}
+
 /// Reads artefacts with a true arm, and writes down what its encoders say.
 class Session {
  public:
@@ -74,6 +82,7 @@ class Session {
       reading.orientation = recording_.orientations.index_of("");
       reading.repeat = recording_.repeats.index_of("");
       reading.probe = probe;
+      reading.arm_temperature = arm_temperature_;
       reading.line = static_cast<int>(recording_.readings.size()) + 1;
       recording_.readings.push_back(reading);
       recording_.joints.conservativeResize(Eigen::NoChange, recording_.joints.cols() + 1);
@@ -107,15 +116,24 @@ class Session {
         probe);
   }
 
+  /// Of the arm, from now on, °C; it stands in the readings.
+  void set_arm_temperature(double temperature) { arm_temperature_ = temperature; }
+
   RandomStream& random() { return random_; }
   Recording& recording() { return recording_; }
 
  private:
   Eigen::Vector3d tip(const Eigen::VectorXd& q, int probe) const {
+    if (!has_joint_errors_) return rigid_tip(q, probe);
+    const double warmth = std::isnan(arm_temperature_) ? 0.0 : arm_temperature_ - truth_.reference_temperature;
+    return tip_with_errors(numbers_, std::vector<double>(q.begin(), q.end()), probe, warmth);
+  }
+
+  Eigen::Vector3d rigid_tip(const Eigen::VectorXd& q, int probe) const {
     return tip_in_base(numbers_, std::vector<double>(q.begin(), q.end()), probe);
   }
 
-  // Damped Gauss-Newton with differences, from random starts.
+  // Damped Gauss-Newton with differences, from random starts; joint errors change the slope by little.
   Eigen::VectorXd posture(const Eigen::Vector3d& wanted, int probe) {
     Eigen::VectorXd q(static_cast<Eigen::Index>(truth_.joints.size()));
     for (int start = 0; start < 200; ++start) {
@@ -126,7 +144,7 @@ class Session {
         Eigen::Matrix3Xd slope(3, q.size());
         for (Eigen::Index j = 0; j < q.size(); ++j) {
           const Eigen::VectorXd step = 1e-6 * Eigen::VectorXd::Unit(q.size(), j);
-          slope.col(j) = (tip(q + step, probe) - tip(q - step, probe)) / 2e-6;
+          slope.col(j) = (rigid_tip(q + step, probe) - rigid_tip(q - step, probe)) / 2e-6;
         }
         const Eigen::Matrix3d normal = slope * slope.transpose() + miss.norm() * Eigen::Matrix3d::Identity();
         const Eigen::VectorXd step = slope.transpose() * normal.ldlt().solve(miss);
@@ -141,6 +159,8 @@ class Session {
   RandomStream random_;
   SessionNoise noise_;
   Recording recording_;
+  double arm_temperature_ = Reading::not_read;
+  bool has_joint_errors_ = testing::has_joint_errors(truth_);
 };
 
 inline CertifiedFeature feature_of(std::string name, FeatureKind kind) {
