@@ -8,6 +8,7 @@
 #include "acquisition/recording_file.h"
 #include "acquisition/tip_centres.h"
 #include "app/command.h"
+#include "app/model_asked.h"
 #include "app/output.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
@@ -24,6 +25,7 @@ struct Request {
   CommonOptions common;
   std::string path;
   std::vector<std::string> hold, free;
+  std::string model;
   double angle_scale = 0.0;
   VirtualProbing probing;
   bool kind_is_given = false;
@@ -91,6 +93,22 @@ Expected<Subject> subject_of(const Request& request) {
   return is_arm ? made_up(request) : recorded(request);
 }
 
+Expected<Model> model_of(const Request& request, const Recording& recording) {
+  const auto model = model_asked(request.model, recording);
+  if (!model) {
+    return tl::unexpected(model.error());
+  }
+  if (model->automatic && !request.model.empty()) {
+    return wrong_usage("a coupling analysis is of one model; state its groups, such as --model dh+eccentricity");
+  }
+  for (const ParameterGroup group : model->groups) {
+    if (const std::string obstacle = obstacle_to(group, recording.arm, recording); !obstacle.empty()) {
+      return wrong_usage(fmt::format("the model has the group {}, but {}", name_of(group), obstacle));
+    }
+  }
+  return model->groups;
+}
+
 Expected<int> analyse_and_tell(const Request& request) {
   const auto subject = subject_of(request);
   if (!subject) {
@@ -104,11 +122,16 @@ Expected<int> analyse_and_tell(const Request& request) {
   hold.insert(hold.end(), request.hold.begin(), request.hold.end());
   std::vector<std::string> free = recording.identify.free;
   free.insert(free.end(), request.free.begin(), request.free.end());
-  const auto selection = select_parameters(recording.arm, hold, free);
+  const auto model = model_of(request, recording);
+  if (!model) {
+    return tl::unexpected(model.error());
+  }
+  const Arm nominal = arm_for(*model, recording.arm);
+  const auto selection = select_parameters(nominal, hold, free, *model);
   if (!selection) {
     return tl::unexpected(selection.error());
   }
-  const auto arm = arm_with_fitted_tips(recording, subject->constraints, recording.arm, hold);
+  const auto arm = arm_with_fitted_tips(recording, subject->constraints, nominal, hold);
   if (!arm) {
     return tl::unexpected(arm.error());
   }
@@ -120,7 +143,9 @@ Expected<int> analyse_and_tell(const Request& request) {
     return tl::unexpected(coupling.error());
   }
   const auto made_up = request.kind_is_given ? std::optional(request.probing) : std::nullopt;
-  if (auto written = write_json(request.common.json, to_json(recording, *coupling, {hold, free, made_up})); !written) {
+  if (auto written =
+          write_json(request.common.json, to_json(recording, *coupling, {hold, free, model_text(*model), made_up}));
+      !written) {
     return tl::unexpected(written.error());
   }
   if (request.common.talks()) {
@@ -162,6 +187,10 @@ Run set_up_coupling(CLI::App& parser) {
   parser.add_option("--free", request->free, "parameters that are to be free where there is a choice")
       ->delimiter(',')
       ->type_name("NAMES");
+  parser
+      .add_option("--model", request->model,
+                  "parameters asked about: dh, or dh with groups behind it, such as dh+eccentricity (see identify)")
+      ->type_name("MODEL");
   parser
       .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")
       ->check(CLI::PositiveNumber);

@@ -67,7 +67,7 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!constraints) {
     return tl::unexpected(constraints.error());
   }
-  const auto options = options_of(request, *recording);
+  auto options = options_of(request, *recording);
   if (!options) {
     return tl::unexpected(options.error());
   }

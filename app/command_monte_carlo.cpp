@@ -182,6 +182,13 @@ void MonteCarloRequest::add_to(CLI::App& parser) {
   flag->group(group);
 }
 
+bool has_joint_errors(const Arm& arm) {
+  const auto all = all_parameters(arm);
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    return parameter.is_joint_error() && value(arm, parameter) != 0.0;
+  });
+}
+
 Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const CommonOptions& common,
                                    const std::string& recording_path, const std::string& probe, std::uint64_t seed) {
   if (auto sound = check_request(request); !sound) {
@@ -202,6 +209,11 @@ Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const Commo
   auto options = request.choices.options(*recording);
   if (!options) {
     return tl::unexpected(options.error());
+  }
+  if (options->automatic || !options->model.empty() || has_joint_errors(recording->arm)) {
+    return wrong_usage(
+        "trials are made with the chain of Denavit and Hartenberg alone so far, not with harmonics, gains, gravity or "
+        "expansion of joints, of the model or of the arm's file");
   }
   options->leave_out = false;
   const auto monte_carlo_options = options_of(request, recording->arm, probe, seed);

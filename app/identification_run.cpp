@@ -1,5 +1,7 @@
 #include "app/identification_run.h"
 
+#include "identification/automatic_model.h"
+
 namespace artcal {
 
 Loss loss_named(const std::string& name) {
@@ -17,7 +19,8 @@ IdentifyOptions recorded_options(const Recording& recording) {
 
 Expected<Identification> run_identification(const Recording& recording, const Constraints& constraints,
                                             const IdentifyOptions& options) {
-  auto result = identify(recording, constraints, options);
+  auto result = options.automatic ? identify_automatically(recording, constraints, options)
+                                  : identify(recording, constraints, options);
   if (result) {
     auto& warnings = result->warnings;
     warnings.insert(warnings.begin(), constraints.warnings.begin(), constraints.warnings.end());

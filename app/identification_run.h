@@ -14,7 +14,7 @@ Loss loss_named(const std::string& name);
 /// What a recording asks of its own identification.
 IdentifyOptions recorded_options(const Recording& recording);
 
-/// identify(), with the warnings of all that was read before it.
+/// identify() or identify_automatically(), with the warnings of all that was read before it.
 Expected<Identification> run_identification(const Recording& recording, const Constraints& constraints,
                                             const IdentifyOptions& options);
 

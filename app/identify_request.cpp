@@ -1,6 +1,7 @@
 #include "app/identify_request.h"
 
 #include "app/identification_run.h"
+#include "app/model_asked.h"
 #include "core/unit_names.h"
 
 namespace artcal {
@@ -42,6 +43,13 @@ void IdentifyChoices::add_to(CLI::App& parser, const std::string& group) {
       ->delimiter(',')
       ->type_name("NAMES")
       ->group(group);
+  parser
+      .add_option("--model", model,
+                  "what is identified: dh, or dh with groups of parameters behind it, such as dh+eccentricity+gravity "
+                  "(of eccentricity, eccentricity2, gain, coupling, gravity, thermal, hayati, tip, radius); auto adds "
+                  "groups while placements left out improve by more than noise")
+      ->type_name("MODEL")
+      ->group(group);
   parser.add_option("--loss", loss, "how readings far off count")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}))
       ->group(group);
@@ -58,6 +66,12 @@ Expected<IdentifyOptions> IdentifyChoices::options(const Recording& recording) c
   IdentifyOptions options = recorded_options(recording);
   options.hold.insert(options.hold.end(), hold.begin(), hold.end());
   options.free.insert(options.free.end(), free.begin(), free.end());
+  const auto asked = model_asked(model, recording);
+  if (!asked) {
+    return tl::unexpected(asked.error());
+  }
+  options.model = asked->groups;
+  options.automatic = asked->automatic;
   options.loss = loss.empty() ? options.loss : loss_named(loss);
   return noise_of(*this, recording).map([&](const Noise& given) {
     options.noise = given;

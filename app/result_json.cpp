@@ -118,7 +118,7 @@ Json covariance_json(const Identification& result) {
   for (const auto& row : result.covariance.rowwise()) {
     rows.push_back(std::vector<double>(row.begin(), row.end()));
   }
-  return {{"parameters", names}, {"units", "mm, rad"}, {"matrix", rows}};
+  return {{"parameters", names}, {"units", "mm, rad, rad/rad, rad/(N mm), 1/K"}, {"matrix", rows}};
 }
 
 Json deviation_json(const FeatureDeviation& deviation) {
@@ -215,6 +215,38 @@ Json model_study_json(const ModelStudy& study) {
            })}};
 }
 
+const char* name_of(ModelTrial::Verdict verdict) {
+  switch (verdict) {
+    case ModelTrial::Verdict::Taken: return "taken";
+    case ModelTrial::Verdict::Worth: return "worth it, but not the best";
+    case ModelTrial::Verdict::NotWorth: return "not worth it";
+    case ModelTrial::Verdict::Refused: return "refused";
+    case ModelTrial::Verdict::Start: break;
+  }
+  return "start";
+}
+
+Json trial_json(const ModelTrial& trial) {
+  const bool is_known = trial.verdict != ModelTrial::Verdict::Refused;
+  const bool is_compared = is_known && trial.verdict != ModelTrial::Verdict::Start;
+  return {{"step", trial.step},
+          {"model", model_text(trial.model)},
+          {"verdict", name_of(trial.verdict)},
+          {"refusal", is_known ? Json(nullptr) : Json(trial.refusal)},
+          {"parameters", is_known ? Json(trial.parameters) : Json(nullptr)},
+          {"left_out_rms_mm", is_known ? Json(trial.left_out_rms) : Json(nullptr)},
+          {"improvement", is_compared ? Json(trial.improvement) : Json(nullptr)},
+          {"improvement_noise", is_compared ? Json(trial.improvement_noise) : Json(nullptr)}};
+}
+
+Json model_json(const Identification& result) {
+  Json groups = Json::array();
+  for (const ParameterGroup group : result.model) {
+    groups.push_back(name_of(group));
+  }
+  return {{"text", model_text(result.model)}, {"groups", groups}, {"trials", list(result.trials, trial_json)}};
+}
+
 Json noise_json(const IdentifyOptions& options, const Identification& result) {
   Json json{{"given", result.noise_is_given}, {"mm", result.noise}};
   if (options.noise.encoder) {
@@ -250,6 +282,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
                     {"features", constraints.features.size()},
                     {"placements", result.after.placements.size()},
                     {"artefacts", result.after.artefacts.size()}};
+  json["model"] = model_json(result);
   json["date"] = recording.date.empty() ? Json(nullptr) : Json(recording.date);
   json["temperature"] = temperature_json(recording);
   json["artefacts"] = artefacts_json(constraints.artefacts);
@@ -286,7 +319,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
 Json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request) {
   const auto& made_up = request.made_up;
   Json json = result_header(recording, "coupling", made_up ? std::optional(made_up->seed) : std::nullopt);
-  json["options"] = {{"hold", request.hold}, {"free", request.free}};
+  json["options"] = {{"hold", request.hold}, {"free", request.free}, {"model", request.model}};
   json["made_up"] = nullptr;
   if (made_up) {
     json["made_up"] = {

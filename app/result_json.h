@@ -31,6 +31,7 @@ nlohmann::ordered_json to_json(const Recording& recording, const Constraints& co
 /// What a coupling analysis was asked.
 struct CouplingRequest {
   std::vector<std::string> hold, free;
+  std::string model;
   std::optional<VirtualProbing> made_up;  ///< how the readings were made, if they were
 };
 nlohmann::ordered_json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request);

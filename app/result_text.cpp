@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "app/artefacts_told.h"
+#include "app/shown_unit.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
@@ -82,6 +83,34 @@ std::string summary_text(const Identification& result) {
   return text + "\n";
 }
 
+std::string trials_text(const Identification& result) {
+  if (result.trials.empty()) {
+    return result.model.empty() ? "" : fmt::format("  model {}\n\n", model_text(result.model));
+  }
+  std::string text = fmt::format(
+      "Model {}: a group is taken where it improves placements left out by more than twice the noise of that\n",
+      model_text(result.model));
+  Table table({"model tried", "parameters", "left out, mm", "better by", "noise", ""});
+  std::string refusals;
+  const auto percent = [](double share) { return fmt::format("{:.1f} %", 100.0 * share); };
+  for (const ModelTrial& trial : result.trials) {
+    using Verdict = ModelTrial::Verdict;
+    const std::string name = model_text(trial.model);
+    if (trial.verdict == Verdict::Refused) {
+      refusals += fmt::format("  {} refused: {}\n", name, trial.refusal);
+      continue;
+    }
+    const bool start = trial.verdict == Verdict::Start;
+    table.add({name, fmt::format("{}", trial.parameters), mm(trial.left_out_rms),
+               start ? "" : percent(trial.improvement), start ? "" : percent(trial.improvement_noise),
+               trial.verdict == Verdict::Taken   ? "taken"
+               : trial.verdict == Verdict::Worth ? "worth it, not the best"
+               : start                           ? ""
+                                                 : "not worth it"});
+  }
+  return text + table.text() + refusals + "\n";
+}
+
 std::string placements_text(const Identification& result) {
   if (result.after.placements.size() < 2) {
     return {};
@@ -132,13 +161,12 @@ std::string lengths_text(const Identification& result) {
 std::string parameters_text(const Identification& result) {
   Table table({"parameter", "unit", "nominal", "identified", "change", "u (k = 1)"});
   for (const IdentifiedParameter& p : result.parameters) {
-    const bool angle = p.parameter.is_angle();
-    const double unit = angle ? units::degree : 1.0;
-    const auto number = [&](double value) { return fmt::format("{:.{}f}", value / unit, angle ? 6 : 5); };
+    const ShownUnit unit = shown_unit(p.parameter.name, p.parameter.unit());
+    const auto number = [&](double value) { return fmt::format("{:.{}f}", value / unit.size, unit.decimals); };
     const bool identified = p.state == ParameterState::Identified;
-    table.add({p.parameter.name, angle ? "deg" : "mm", number(p.nominal), number(p.identified),
-               identified ? fmt::format("{:+.{}f}", (p.identified - p.nominal) / unit, angle ? 6 : 5) : "",
-               identified                        ? fmt::format("{:.2g}", p.u / unit)
+    table.add({p.parameter.name, unit.name, number(p.nominal), number(p.identified),
+               identified ? fmt::format("{:+.{}f}", (p.identified - p.nominal) / unit.size, unit.decimals) : "",
+               identified                        ? fmt::format("{:.2g}", p.u / unit.size)
                : p.state == ParameterState::Lost ? "cannot be told"
                                                  : "held"});
   }
@@ -234,9 +262,9 @@ std::string warnings_text(const std::vector<std::string>& warnings) {
 
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
   return title_text(recording, constraints, result) + summary_text(result) + warnings_text(result.warnings) +
-         placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
-         noise_text(result) + model_study_text(result.model_study) + cannot_text(result.coupling) +
-         outliers_text(recording, result);
+         trials_text(result) + placements_text(result) + lengths_text(result) + parameters_text(result) +
+         artefacts_text(result) + noise_text(result) + model_study_text(result.model_study) +
+         cannot_text(result.coupling) + outliers_text(recording, result);
 }
 
 std::string to_text(const Recording& recording, const Coupling& coupling) {

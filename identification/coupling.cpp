@@ -92,11 +92,13 @@ ParameterMotion in_real_units(const ParameterMotion& motion, const Eigen::Vector
   return {clean, motion.leading};
 }
 
-// The common growth of all lengths: the motion that readings without any calibrated length cannot see.
-Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& parameters) {
-  Eigen::VectorXd motion(static_cast<Eigen::Index>(parameters.size()));
+// The common growth of all lengths, in physical units: the motion that readings without any calibrated length cannot
+// see. Torques grow with lengths, so that compliances shrink.
+Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& parameters, const Eigen::VectorXd& scale) {
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(scale.size());
   for (Eigen::Index i = 0; i < motion.size(); ++i) {
-    motion[i] = parameters[i].is_angle() ? 0.0 : value(arm, parameters[i]);
+    const double size = value(arm, parameters[i]) / scale[i];
+    motion[i] = parameters[i].is_length() ? size : parameters[i].kind == ParameterKind::Compliance ? -size : 0.0;
   }
   return motion;
 }
@@ -122,7 +124,7 @@ Eigen::VectorXd seen_beside_radii(const Eigen::VectorXd& growth, const Eigen::Ma
 bool scale_is_asked(const Arm& arm, const std::vector<Parameter>& asked) {
   const auto all = parameters_of(arm);
   return std::all_of(all.begin(), all.end(), [&](const Parameter& parameter) {
-    return parameter.is_angle() || value(arm, parameter) == 0.0 || find_parameter(asked, parameter.name) >= 0;
+    return !parameter.is_length() || value(arm, parameter) == 0.0 || find_parameter(asked, parameter.name) >= 0;
   });
 }
 
@@ -184,8 +186,9 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   CouplingAnalysis analysis;
   Coupling& coupling = analysis.coupling;
-  for (const auto& parameter : parameters_with_radii(arm)) {
-    const bool asked = parameter.kind != ParameterKind::Radius || contains(options.radii_asked, parameter.name);
+  for (const auto& parameter : all_parameters(arm)) {
+    const bool is_known = parameter.kind == ParameterKind::Radius || parameter.is_joint_error();
+    const bool asked = !is_known || contains(options.beside_asked, parameter.name);
     if (asked && !contains(options.not_asked, parameter.name)) {
       coupling.parameters.push_back(parameter);
     }
@@ -224,7 +227,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
     coupling.lost.push_back(in_real_units(motion, system.scale));
   }
   // What of the growth is not lost anyway.
-  const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters);
+  const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters, system.scale);
   const Eigen::VectorXd seen = growth - null_space * (null_space.transpose() * growth);
   find_weak(v, system.scale, seen, lost_scaled, options.weak_below, coupling);
   if (growth.norm() > 0.0 && scale_is_asked(arm, coupling.parameters) &&

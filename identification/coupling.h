@@ -44,8 +44,9 @@ struct Coupling {
 };
 
 struct CouplingOptions {
-  std::vector<std::string> not_asked;    ///< parameters taken as known
-  std::vector<std::string> radii_asked;  ///< radii of tips that are parameters here; the others are known
+  std::vector<std::string> not_asked;  ///< parameters taken as known
+  std::vector<std::string>
+      beside_asked;  ///< radii of tips and joint errors that are parameters here; the others are known
   std::vector<std::string> rather_held;  ///< hold these first, where they take part in a lost motion
   std::vector<std::string> rather_free;  ///< and these last
   Noise noise;                           ///< for what distances and readings are worth to each other

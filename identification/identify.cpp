@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/joint_error_keys.h"
 #include "acquisition/tip_centres.h"
 #include "core/statistics.h"
 #include "core/units.h"
@@ -48,15 +49,30 @@ Error scale_is_lost() {
       {}};
 }
 
+// Whether the model makes sense here, and the readings have what it needs.
+Expected<void> check_model(const Recording& recording, const IdentifyOptions& options) {
+  for (const ParameterGroup group : options.model) {
+    if (const std::string obstacle = obstacle_to(group, recording.arm, recording); !obstacle.empty()) {
+      return wrong_usage(fmt::format("the model has the group {}, but {}", name_of(group), obstacle));
+    }
+  }
+  const auto all = all_parameters(recording.arm);
+  const bool frees_expansion = std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    return parameter.kind == ParameterKind::Expansion &&
+           std::find(options.free.begin(), options.free.end(), parameter.name) != options.free.end();
+  });
+  return expands(recording.arm) || frees_expansion ? require_arm_temperatures(recording) : Expected<void>{};
+}
+
 Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
                               const IdentifyOptions& options) {
-  const Arm& nominal = recording.arm;
-  const auto selection = select_parameters(nominal, options.hold, options.free);
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
   if (!selection) {
     return tl::unexpected(selection.error());
   }
   const auto start = arm_with_fitted_tips(recording, constraints, nominal, options.hold).map([&](const Arm& with_tips) {
-    return arm_near_the_balls(recording, constraints, with_tips, *selection);
+    return arm_near_the_balls(recording, constraints, with_tips, of_chain(*selection));
   });
   if (!start) {
     return tl::unexpected(start.error());
@@ -107,9 +123,11 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
     return std::any_of(pairs.begin(), pairs.end(),
                        [&](const WristPair& pair) { return pair.first == name || pair.second == name; });
   };
-  for (const Parameter& parameter : parameters_with_radii(nominal)) {
+  for (const Parameter& parameter : all_parameters(nominal)) {
     const int free = find_parameter(preparation.free, parameter.name);
-    if (parameter.kind == ParameterKind::Radius && free < 0) {
+    const bool is_asked = find_parameter(preparation.coupling.parameters, parameter.name) >= 0;
+    if (!is_asked &&
+        (parameter.kind == ParameterKind::Radius || (parameter.is_joint_error() && value(nominal, parameter) == 0.0))) {
       continue;  // known, and no part of this
     }
     const ParameterState state = free >= 0                                             ? ParameterState::Identified
@@ -148,7 +166,7 @@ std::vector<std::string> suspicions(const Identification& result, double length)
           fmt::format("{} moved by {:.3g} deg from its nominal value: are joint order, signs and units "
                       "right?",
                       parameter.parameter.name, moved / units::degree));
-    } else if (!parameter.parameter.is_angle() && moved > 0.05 * length) {
+    } else if (parameter.parameter.is_length() && moved > 0.05 * length) {
       warnings.push_back(fmt::format("{} moved by {:.4g} mm from its nominal value: is this the arm that was read?",
                                      parameter.parameter.name, moved));
     }
@@ -188,6 +206,26 @@ Error with_reason(Error error, const Recording& recording, const Constraints& co
   return error;
 }
 
+// Joint errors that no joint has: readings that hardly tell them let them run away.
+Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters) {
+  std::string absurd, names;
+  for (const IdentifiedParameter& p : parameters) {
+    if (p.state == ParameterState::Identified && p.parameter.is_joint_error() &&
+        !(std::abs(p.identified) <= most_of(p.parameter.kind))) {
+      absurd += fmt::format("{}{} = {:.3g} with a standard uncertainty of {:.2g}", absurd.empty() ? "" : ", ",
+                            p.parameter.name, p.identified, p.u);
+      names += (names.empty() ? "" : ",") + p.parameter.name;
+    }
+  }
+  if (absurd.empty()) {
+    return {};
+  }
+  return no_solution(
+      fmt::format("no joint that works has such errors: {} (rad, rad/rad, rad/(N mm), 1/K); these "
+                  "readings hardly tell them. Leave the group out of the model, or hold them: --hold {}",
+                  absurd, names));
+}
+
 void judge_noise(const ArmFit& fit, Identification& result) {
   result.noise = fit.noise;
   result.degrees_of_freedom = fit.degrees_of_freedom;
@@ -218,6 +256,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
                                   const IdentifyOptions& options) {
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
+  }
+  if (auto sensible = check_model(recording, options); !sensible) {
+    return tl::unexpected(sensible.error());
   }
   auto preparation = prepare(recording, constraints, options);
   if (!preparation) {
@@ -254,14 +295,18 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   }
   Identification result;
   result.arm = fit->arm;
+  result.model = options.model;
   result.noise_is_given = options.noise.is_given();
   judge_noise(*fit, result);
   result.covariance = result.enlargement * result.enlargement * (*covariance + *common);
-  result.parameters = describe(recording.arm, fit->arm, *preparation, result.covariance);
+  result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
     const auto found = std::find_if(result.parameters.begin(), result.parameters.end(),
                                     [&](const auto& described) { return described.parameter.name == parameter.name; });
     result.free.push_back(static_cast<int>(found - result.parameters.begin()));
+  }
+  if (auto sensible = check_joint_errors(result.parameters); !sensible) {
+    return tl::unexpected(sensible.error());
   }
   result.artefact_values = describe_artefacts(constraints, *fit, result.enlargement);
   result.before = *before;

@@ -12,6 +12,7 @@
 #include "identification/coupling.h"
 #include "identification/evaluation.h"
 #include "identification/loss.h"
+#include "identification/model.h"
 #include "identification/model_study.h"
 
 namespace artcal {
@@ -19,6 +20,8 @@ namespace artcal {
 struct IdentifyOptions {
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
   std::vector<std::string> free;  ///< parameters to identify although they are held by default (a6, d6, …)
+  Model model;                    ///< what is identified beside the chain and the tips
+  bool automatic = false;         ///< groups are to be added: what identify_automatically() is asked for
   Loss loss = Loss::None;
   Noise noise;            ///< given, or else estimated from the residuals
   bool leave_out = true;  ///< identify once more without each placement
@@ -35,7 +38,7 @@ enum class ParameterState {
 
 struct IdentifiedParameter {
   Parameter parameter;
-  double nominal = 0.0;  ///< mm or rad
+  double nominal = 0.0;  ///< in the parameter's unit
   double identified = 0.0;
   double u = 0.0;  ///< standard uncertainty; 0 and without meaning unless Identified
   ParameterState state = ParameterState::Identified;
@@ -68,11 +71,32 @@ struct LeftOut {
   std::string refusal;  ///< why it could not be left out; empty if it could
 };
 
+/// A model that identify_automatically() tried.
+struct ModelTrial {
+  enum class Verdict {
+    Start,     ///< what the search began with
+    Taken,     ///< its last group was taken into the model
+    Worth,     ///< it would have been worth it, but another group was better
+    NotWorth,  ///< placements left out are not better by more than the noise
+    Refused,   ///< the readings cannot tell the group, or it makes no sense here
+  };
+  int step = 0;  ///< groups taken before
+  Model model;   ///< with the group on trial last
+  Verdict verdict = Verdict::Start;
+  std::string refusal;             ///< why it was refused; nothing below is known then
+  int parameters = 0;              ///< identified ones
+  double left_out_rms = 0.0;       ///< of readings and lengths of the placements left out, mm
+  double improvement = 0.0;        ///< share by which their mean square fell
+  double improvement_noise = 0.0;  ///< standard error of that share, from the scatter of the placements
+};
+
 struct Identification {
   Arm arm;
+  Model model;
+  std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made
   std::vector<IdentifiedParameter> parameters;
   std::vector<int> free;       ///< indices into parameters, in the order of the covariance
-  Eigen::MatrixXd covariance;  ///< of these, in mm and rad
+  Eigen::MatrixXd covariance;  ///< of these, in their units
   Coupling coupling;
   std::vector<ArtefactValue> artefact_values;  ///< as Constraints::shared
   Evaluation before, after;
@@ -95,10 +119,12 @@ struct Identification {
   std::vector<std::string> warnings;
 };
 
-/// Finds the arm's structural parameters from readings on artefacts.
-/// Usage: an unknown name in hold or free, both members of a wrist pair asked to be free.
+/// Finds the arm's parameters from readings on artefacts.
+/// Usage: an unknown name in hold or free, both members of a wrist pair asked to be free, a group of the model that
+/// makes no sense for this arm and recording.
+/// Bad input: a reading without joint angles, or without the arm's temperature where the arm expands.
 /// No solution: no calibrated length (scale is lost), fewer residuals than unknowns, a parameter asked to
-/// be free that the readings cannot tell, no convergence.
+/// be free or a group asked for that the readings cannot tell, no convergence.
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options = {});
 

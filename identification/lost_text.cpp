@@ -86,7 +86,7 @@ std::string lost_in_words(const Coupling& coupling, const ParameterMotion& motio
 std::string weak_in_words(const Coupling& coupling, const WeakDirection& weak) {
   auto terms = terms_of(coupling, weak.motion);
   const auto in_millimetres = [&](const Term& term) {
-    return std::abs(term.coefficient) * (term.parameter->is_angle() ? coupling.angle_scale : 1.0);
+    return std::abs(term.coefficient) / physical_scale(*term.parameter, coupling.angle_scale);
   };
   std::sort(terms.begin(), terms.end(),
             [&](const Term& a, const Term& b) { return in_millimetres(a) > in_millimetres(b); });

@@ -29,6 +29,47 @@ Expected<void> check_names(const std::vector<Parameter>& parameters, const std::
   return {};
 }
 
+// What is known unless it is asked about.
+bool is_beside(const Parameter& parameter) {
+  return parameter.kind == ParameterKind::Radius || parameter.is_joint_error();
+}
+
+Error group_is_lost(const Selection::Group& group, const std::string& combinations, const std::string& advice) {
+  return {ErrorCode::NoSolution,
+          fmt::format("the group {} was asked for, but these readings cannot tell it: {}. {}", name_of(group.group),
+                      combinations, advice),
+          {}};
+}
+
+// Whether the readings tell a group, given which motions are lost.
+Expected<void> check_group(const Selection::Group& group, const Coupling& coupling) {
+  std::string lost, combined;
+  std::string names;
+  std::size_t count = 0;
+  for (const ParameterMotion& motion : coupling.lost) {
+    const std::string& name = coupling.parameters[motion.leading].name;
+    if (!contains(group.members, name)) {
+      continue;
+    }
+    ++count;
+    const std::string words = lost_in_words(coupling, motion);
+    lost += (lost.empty() ? "" : "; ") + words;
+    if ((motion.coefficients.array() != 0.0).count() > 1) {
+      combined += (combined.empty() ? "" : "; ") + words;
+      names += (names.empty() ? "" : ",") + name;
+    }
+  }
+  if (count == group.members.size()) {
+    return tl::unexpected(group_is_lost(group, lost, "Leave it out of the model"));
+  }
+  if (!combined.empty()) {
+    return tl::unexpected(
+        group_is_lost(group, combined,
+                      fmt::format("Leave it out of the model, or know these and identify the rest: --hold {}", names)));
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<WristPair> wrist_pairs(const Arm& arm) {
@@ -40,8 +81,8 @@ std::vector<WristPair> wrist_pairs(const Arm& arm) {
 }
 
 Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::string>& hold,
-                                      const std::vector<std::string>& free) {
-  const auto parameters = parameters_with_radii(arm);
+                                      const std::vector<std::string>& free, const Model& model) {
+  const auto parameters = all_parameters(arm);
   for (const auto& checked : {check_names(parameters, hold, "hold"), check_names(parameters, free, "free")}) {
     if (!checked) {
       return tl::unexpected(checked.error());
@@ -52,10 +93,32 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
       return wrong_usage(fmt::format("{} cannot be both held and free", name));
     }
   }
-  Selection selection{hold, {}, free, {}};
+  Selection selection{hold, {}, free, {}, {}};
   for (const auto& name : free) {
-    if (parameters[find_parameter(parameters, name)].kind == ParameterKind::Radius) {
-      selection.radii.push_back(name);
+    if (is_beside(parameters[find_parameter(parameters, name)])) {
+      selection.beside.push_back(name);
+    }
+  }
+  for (const ParameterGroup group : model) {
+    Selection::Group added{group, {}};
+    for (const Parameter& parameter : members_of(group, arm)) {
+      if (contains(hold, parameter.name)) {
+        continue;
+      }
+      added.members.push_back(parameter.name);
+      if (is_beside(parameter) && !contains(selection.beside, parameter.name)) {
+        selection.beside.push_back(parameter.name);
+      }
+    }
+    if (added.members.empty()) {
+      return wrong_usage(fmt::format("the model has the group {}, but nothing of it is left to identify for this arm",
+                                     name_of(group)));
+    }
+    selection.groups.push_back(std::move(added));
+    for (const auto& name : held_with(group, arm)) {
+      if (!contains(free, name) && !contains(hold, name)) {
+        selection.pair_held.push_back(name);
+      }
     }
   }
   for (const WristPair& pair : wrist_pairs(arm)) {
@@ -71,16 +134,32 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
   return selection;
 }
 
+Selection of_chain(const Selection& selection) {
+  Selection chain = selection;
+  chain.groups.clear();
+  std::erase_if(chain.beside, [&](const std::string& name) { return !contains(selection.rather_free, name); });
+  return chain;
+}
+
 CouplingOptions coupling_options(const Selection& selection) {
   CouplingOptions options;
   options.not_asked = selection.held;
-  options.radii_asked = selection.radii;
+  options.beside_asked = selection.beside;
+  // What is held in any case, then members of groups: a lost motion that they take part in beside is told by them.
   options.rather_held = selection.pair_held;
+  for (const Selection::Group& group : selection.groups) {
+    options.rather_held.insert(options.rather_held.end(), group.members.begin(), group.members.end());
+  }
   options.rather_free = selection.rather_free;
   return options;
 }
 
 Expected<std::vector<Parameter>> free_parameters(const Selection& selection, const Coupling& coupling) {
+  for (const Selection::Group& group : selection.groups) {
+    if (auto told = check_group(group, coupling); !told) {
+      return tl::unexpected(told.error());
+    }
+  }
   std::vector<bool> held(coupling.parameters.size(), false);
   for (const auto& motion : coupling.lost) {
     const std::string& name = coupling.parameters[motion.leading].name;

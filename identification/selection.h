@@ -6,6 +6,7 @@
 #include "acquisition/arm.h"
 #include "core/error.h"
 #include "identification/coupling.h"
+#include "identification/model.h"
 
 namespace artcal {
 
@@ -21,20 +22,31 @@ struct Selection {
   std::vector<std::string> held;         ///< by request: taken as known
   std::vector<std::string> pair_held;    ///< the member of each wrist pair that is held in any case
   std::vector<std::string> rather_free;  ///< requested to be identified
-  std::vector<std::string> radii;        ///< of these, the radii of tips: all others are known
+  std::vector<std::string> beside;  ///< radii of tips and joint errors that are parameters here: all others are known
+  /// What the model's groups add, without what is held.
+  struct Group {
+    ParameterGroup group = ParameterGroup::Eccentricity;
+    std::vector<std::string> members;
+  };
+  std::vector<Group> groups;
 };
 
 /// Sorts the requests. Of a wrist pair the first member (a, d) is held, or the second where `free` names
-/// the first or `hold` names the second. Usage error: an unknown name, one in both lists, a whole pair in
-/// `free`.
+/// the first or `hold` names the second. `arm` is that of the model (arm_for). Usage error: an unknown name, one in
+/// both lists, a whole pair in `free`, a group all of whose members are held.
 Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::string>& hold,
-                                      const std::vector<std::string>& free);
+                                      const std::vector<std::string>& free, const Model& model = {});
+
+/// The same without what the model's groups add: what brings an arm near its readings first.
+Selection of_chain(const Selection& selection);
 
 /// The coupling analysis that goes with a selection.
 CouplingOptions coupling_options(const Selection& selection);
 
 /// Names of the parameters to identify, given what the readings cannot tell.
-/// No solution: a parameter requested to be free is lost.
+/// No solution: a parameter requested to be free is lost; a group of the model is lost, that is, all its members are,
+/// or one of them in combination with other parameters. A member that no reading sees at all (the compliance of a
+/// vertical first axis) is held like any lost parameter.
 Expected<std::vector<Parameter>> free_parameters(const Selection& selection, const Coupling& coupling);
 
 }  // namespace artcal

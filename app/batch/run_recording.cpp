@@ -9,6 +9,7 @@
 #include "app/batch/recording_key.h"
 #include "app/batch/result_rows.h"
 #include "app/identification_run.h"
+#include "app/model_asked.h"
 #include "app/verification_run.h"
 
 namespace artcal {
@@ -73,6 +74,13 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   IdentifyOptions asked = recorded_options(job.recording);
   asked.leave_out = options.leave_out;
   asked.threads = 1;
+  const auto model = model_asked("", job.recording);
+  if (!model) {
+    note_error(outcome, model.error());
+    return;
+  }
+  asked.model = model->groups;
+  asked.automatic = model->automatic;
   const auto result = run_identification(job.recording, job.constraints, asked);
   if (!result) {
     note_error(outcome, result.error());

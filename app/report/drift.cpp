@@ -11,6 +11,7 @@
 
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"
+#include "app/shown_unit.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -68,7 +69,7 @@ const Json& parameter_named(const Json& result, const std::string& name) {
 /// One parameter over time.
 struct Track {
   std::string name;
-  bool is_angle = false;
+  std::string unit;
   std::vector<double> values, u;  ///< mm or rad
 
   [[nodiscard]] double change(std::size_t i) const { return values[i] - values.front(); }
@@ -80,7 +81,7 @@ struct Track {
 std::vector<Track> tracks_of(const Results& results) {
   std::vector<Track> tracks;
   for (const Json& name : results.front()->at("covariance").at("parameters")) {
-    Track track{name, parameter_named(*results.front(), name).at("unit") == "rad", {}, {}};
+    Track track{name, parameter_named(*results.front(), name).at("unit"), {}, {}};
     for (const Json* result : results) {
       const Json& parameter = parameter_named(*result, track.name);
       track.values.push_back(parameter.at("identified"));
@@ -97,13 +98,18 @@ double coverage_of(std::size_t count) {
                                1.0 - 0.025 / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
+// About how far the tip moves by one unit of a parameter, mm: by a compliance at 1 N·m, by an expansion at 10 K.
+double tip_motion(const std::string& unit, double reach) {
+  return unit == "mm" ? 1.0 : unit == "rad/(N mm)" ? 1e3 * reach : unit == "1/K" ? 10.0 * reach : reach;
+}
+
 Figure drift_figure(std::vector<Track> tracks, const Times& times, double reach) {
   std::stable_sort(tracks.begin(), tracks.end(),
                    [](const Track& a, const Track& b) { return a.standardised() > b.standardised(); });
   tracks.resize(std::min(tracks.size(), most_drawn));
   Json series = Json::array();
   for (const Track& track : tracks) {
-    const double scale = (track.is_angle ? reach : 1.0) / units::micrometre;
+    const double scale = tip_motion(track.unit, reach) / units::micrometre;
     Json y = Json::array(), bars = Json::array();
     for (std::size_t i = 0; i < track.values.size(); ++i) {
       y.push_back(drawn(scale * track.change(i)));
@@ -158,12 +164,12 @@ void write_parameters(const Results& results, Sheet& sheet) {
                      {"change / u"},
                      {"", false}});
   for (const Track& track : tracks) {
-    const double unit = track.is_angle ? units::degree : 1.0;
-    const int digits = track.is_angle ? 6 : 5;
+    const ShownUnit as = shown_unit(track.name, track.unit);
+    const double unit = as.size;
+    const int digits = as.decimals;
     const bool significant = track.standardised() > coverage;
     table.add_markup(
-        {html::text(track.name), track.is_angle ? "°" : "mm",
-         fmt::format("{:.{}f}", track.values.front() / unit, digits),
+        {html::text(track.name), as.name, fmt::format("{:.{}f}", track.values.front() / unit, digits),
          fmt::format("{:.{}f}", track.values.back() / unit, digits),
          fmt::format("{:+.{}f}", track.change(last) / unit, digits), two_digits(track.u_of_change(last) / unit),
          fmt::format("{:.1f}", track.standardised()), significant ? "⚠ significant" : ""},

@@ -10,7 +10,7 @@
 #include "app/report/numbers.h"
 #include "app/report/readings.h"
 #include "app/report/scene.h"
-#include "core/units.h"
+#include "app/shown_unit.h"
 
 namespace artcal {
 namespace {
@@ -113,17 +113,16 @@ void write_parameters(const Json& result, Sheet& sheet) {
   html::Table table("Parameters of the arm; u is the standard uncertainty (k = 1)",
                     {{"parameter", false, true}, {"unit", false}, {"nominal"}, {"identified"}, {"change"}, {"u"}});
   for (const Json& parameter : result.at("parameters")) {
-    const bool angle = parameter.at("unit") == "rad";
-    const double unit = angle ? units::degree : 1.0;
+    const ShownUnit unit = shown_unit(parameter.at("name").get<std::string>(), parameter.at("unit").get<std::string>());
     const auto number = [&](const char* key) {
-      return fmt::format("{:.{}f}", parameter.at(key).get<double>() / unit, angle ? 6 : 5);
+      return fmt::format("{:.{}f}", parameter.at(key).get<double>() / unit.size, unit.decimals);
     };
     const std::string state = parameter.at("state");
     const bool identified = state == "identified";
     const double change = parameter.at("identified").get<double>() - parameter.at("nominal").get<double>();
-    table.add({parameter.at("name"), angle ? "°" : "mm", number("nominal"), number("identified"),
-               identified ? fmt::format("{:+.{}f}", change / unit, angle ? 6 : 5) : "–",
-               identified        ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit)
+    table.add({parameter.at("name"), unit.name, number("nominal"), number("identified"),
+               identified ? fmt::format("{:+.{}f}", change / unit.size, unit.decimals) : "–",
+               identified        ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit.size)
                : state == "lost" ? "cannot be told"
                                  : "held"});
   }

@@ -17,10 +17,11 @@ struct End {
 
 End end_at(const Sweep& sweep, const Eigen::VectorXd& q) {
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
   End end{{}, Eigen::Matrix3Xd(3, sweep.column_count()), Eigen::Matrix3Xd(3, sweep.joint_count())};
-  sweep.tip_by_joints(sines, end.by_joint.data());
-  end.tip = sweep.tip_in_base(sines, end.by_parameter.data());
+  sweep.tip_by_joints({sines, angles}, end.by_joint.data());
+  end.tip = sweep.tip_in_base({sines, angles}, end.by_parameter.data());
   return end;
 }
 

@@ -26,6 +26,23 @@ TEST_F(CouplingCommand, TellsWhatARecordingCannot) {
   EXPECT_THAT(ended.out, HasSubstr("singular values"));
 }
 
+// Harmonics of all encoders add their number to the rank, whatever is read; a gain as well.
+TEST_F(CouplingCommand, AnswersForRicherModels) {
+  take("gao2013");
+  for (const auto& [kind, rank] : {std::pair{"base", 23}, {"distance", 21}, {"point", 20}}) {
+    const Ended told =
+        run({"coupling", "gao2013/table1.toml", "--kind", kind, "--model", "dh+eccentricity+eccentricity2+gain"});
+    EXPECT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_THAT(told.out, HasSubstr("rank " + std::to_string(rank + 30) + " of 55")) << kind;
+  }
+  const Ended tip = run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+tip"});
+  EXPECT_THAT(tip.out, HasSubstr("lx alone cannot; lx is held"));
+  EXPECT_EQ(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+gravity"}).exit_code, 2);
+  EXPECT_EQ(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "auto"}).exit_code, 2);
+  EXPECT_THAT(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+gains"}).err,
+              HasSubstr("\"gains\", expected"));
+}
+
 // Ranks of Table 1's arm: 25 parameters; what each kind of reading cannot see of them.
 TEST_F(CouplingCommand, KnowsEveryKindOfReading) {
   take("gao2013");

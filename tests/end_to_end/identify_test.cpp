@@ -94,6 +94,55 @@ TEST_F(Identify, WritesTheArmAndTheResult) {
   EXPECT_EQ(identified, 25);
 }
 
+// An arm identified with its encoders' harmonics carries them in its file, to every command that takes an arm.
+TEST_F(Identify, RicherModelsAreInTheArmThatIsWritten) {
+  take("two-socket-bar");
+  const Ended ended = run(
+      with(bar, {"--model", "dh+eccentricity2", "--hold", "cos_2q7,sin_2q7", "-o", "arm.toml", "--json", "r.json"}));
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("model dh+eccentricity2"));
+  EXPECT_THAT(ended.out, ContainsRegex("cos_2q2 +arcsec"));
+  const Json json = Json::parse(text_of("r.json"));
+  EXPECT_EQ(json["model"]["groups"], Json({"eccentricity2"}));
+  EXPECT_EQ(json["covariance"]["parameters"].size(), 25u + 12u);
+  const auto arm = read_arm_file(file("arm.toml"));
+  ASSERT_TRUE(arm) << arm.error().text();
+  for (const Json& parameter : json["parameters"]) {
+    if (parameter["name"] == "cos_2q2") {
+      EXPECT_EQ(arm->arm.joints[1].errors.cosine[1], parameter["identified"].get<double>());
+    }
+  }
+  const Ended points = run({"points", "two-socket-bar/recording.toml", "--arm", "arm.toml"});
+  EXPECT_EQ(points.exit_code, 0) << points.err;
+  EXPECT_EQ(run({"uncertainty", "arm.toml"}).exit_code, 0);
+  // The arm as it was written explains the readings as well as it did.
+  write("two-socket-bar/recording.toml",
+        testing::replaced(text_of("two-socket-bar/recording.toml"), "\"arm.toml\"", "\"../arm.toml\""));
+  ASSERT_EQ(run(with(bar, {"--json", "second.json", "--quiet"})).exit_code, 0);
+  EXPECT_NEAR(Json::parse(text_of("second.json"))["before"]["overall"]["rms_mm"].get<double>(),
+              json["after"]["overall"]["rms_mm"].get<double>(), 1e-9);
+}
+
+TEST_F(Identify, ModelsThatMakeNoSenseAreRefused) {
+  take("two-socket-bar");
+  const Ended thermal = run(with(bar, {"--model", "dh+thermal"}));
+  EXPECT_EQ(thermal.exit_code, 2);
+  EXPECT_THAT(thermal.err, HasSubstr("arm_temperature"));
+  // The flange hardly turns the tip, which is nearly on its axis: nothing is made of its encoder's first harmonic.
+  const Ended absurd = run(with(bar, {"--model", "dh+eccentricity+gain", "-o", "arm.toml"}));
+  EXPECT_EQ(absurd.exit_code, 4);
+  EXPECT_THAT(absurd.err, HasSubstr("no joint that works has such errors"));
+  EXPECT_THAT(absurd.err, HasSubstr("--hold cos_q7,sin_q7"));
+  EXPECT_THAT(names(), ElementsAre("two-socket-bar"));
+  const Ended radius = run(with(bar, {"--model", "dh+radius"}));
+  EXPECT_EQ(radius.exit_code, 4);
+  EXPECT_THAT(radius.err, HasSubstr("the group radius was asked for, but these readings cannot tell it"));
+  write("two-socket-bar/recording.toml", text_of("two-socket-bar/recording.toml") + "\n[identify]\nmodel = \"dh+x\"\n");
+  const Ended stated = run(bar);
+  EXPECT_EQ(stated.exit_code, 3);
+  EXPECT_THAT(stated.err, HasSubstr("recording.toml, [identify]: the model \"dh+x\" names \"x\""));
+}
+
 TEST_F(Identify, TheIdentifiedArmIsAnArmForTheNextRecording) {
   take("two-socket-bar");
   ASSERT_EQ(run(with(bar, {"-q", "-o", "two-socket-bar/identified.toml", "--json", "first.json"})).exit_code, 0);

@@ -208,7 +208,7 @@ TEST(Coupling, AKnownLengthKeepsTheScale) {
 // size it also takes up the growth of the ball: known radii then tell no scale.
 TEST(Coupling, TheTipsRadiusIsTold) {
   CouplingOptions options;
-  options.radii_asked = {"radius"};
+  options.beside_asked = {"radius"};
   const Coupling balls = analyse(ReadingKind::Sphere, 4, options);
   EXPECT_EQ(balls.parameters.back().name, "radius");
   EXPECT_EQ(balls.rank, 21);

@@ -36,7 +36,7 @@ struct Both {
   Identification identification;
 };
 
-Both identified(const SimulationPlan& plan) {
+Both identified(const SimulationPlan& plan, const Model& model = {}) {
   auto simulation = simulate(plan, 2);
   if (!simulation) throw std::runtime_error(simulation.error().text());
   std::vector<Artefact> artefacts;
@@ -46,6 +46,7 @@ Both identified(const SimulationPlan& plan) {
   IdentifyOptions options;
   options.noise = Noise{{}, 2.0 * units::arcsecond, 0.003};
   options.leave_out = false;
+  options.model = model;
   auto identification = identify(simulation->recording, *constraints, options);
   if (!identification) throw std::runtime_error(identification.error().text());
   return {std::move(*simulation), std::move(*identification)};
@@ -99,6 +100,35 @@ TEST(Identified, EccentricityAndGravityLeaveMoreThanTheNoise) {
   }
   const Both bent = identified(plan);
   EXPECT_GT(bent.identification.after.overall.rms, 1.5 * noise);
+}
+
+// The virtual arm's amplitudes, phases and compliances are the model's: found by it, they are no longer errors.
+TEST(Identified, TheVirtualArmsOwnErrorsComeBack) {
+  SimulationPlan plan = seven_placements();
+  plan.errors.eccentricity = 10.0 * units::arcsecond;
+  plan.errors.second_harmonic = 5.0 * units::arcsecond;
+  for (std::size_t i = 0; i < plan.arm.joints.size(); ++i) {
+    plan.arm.joints[i].mass = 1.0 + 0.2 * static_cast<double>(i);
+    plan.arm.joints[i].compliance = 10.0 * units::arcsecond / 1e3;
+    plan.nominal.joints[i].mass = plan.arm.joints[i].mass;
+  }
+  const Both both =
+      identified(plan, {ParameterGroup::Eccentricity, ParameterGroup::SecondEccentricity, ParameterGroup::Gravity});
+  EXPECT_LT(both.identification.chi_squared, 1.05 * both.identification.chi_squared_high);
+  int seen = 0;
+  for (const IdentifiedParameter& p : both.identification.parameters) {
+    if (p.state != ParameterState::Identified || !p.parameter.is_joint_error()) continue;
+    const VirtualJoint& joint = both.simulation.arm.joints[static_cast<std::size_t>(p.parameter.owner)];
+    const bool second = p.parameter.kind == ParameterKind::Cosine2 || p.parameter.kind == ParameterKind::Sine2;
+    const bool sine = p.parameter.kind == ParameterKind::Sine1 || p.parameter.kind == ParameterKind::Sine2;
+    const Harmonic& harmonic = joint.eccentricity[second ? 1 : 0];
+    const double truth = p.parameter.kind == ParameterKind::Compliance ? joint.compliance
+                         : sine                                        ? harmonic.amplitude * std::cos(harmonic.phase)
+                                                                       : harmonic.amplitude * std::sin(harmonic.phase);
+    EXPECT_LT(std::abs(p.identified - truth), 4.5 * p.u) << p.parameter.name;
+    ++seen;
+  }
+  EXPECT_EQ(seen, 24 + 5);
 }
 
 }  // namespace
