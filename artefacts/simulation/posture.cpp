@@ -34,6 +34,12 @@ bool turn_into_stops(const VirtualArm& arm, const PostureRequest& request, Eigen
   return inside;
 }
 
+// Whether a reading a whole turn further on means the same posture: not where encoders gain, or turn with others.
+bool repeats_every_turn(const Arm& arm) {
+  return std::all_of(arm.joints.begin(), arm.joints.end(),
+                     [](const Joint& joint) { return joint.errors.gain == 0.0 && joint.errors.coupling == 0.0; });
+}
+
 void push_off_stops(const VirtualArm& arm, const PostureRequest& request, Eigen::VectorXd& q) {
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const VirtualJoint& joint = arm.joints[i];
@@ -82,11 +88,15 @@ std::optional<Eigen::VectorXd> find_posture_near(const VirtualArm& arm, const Po
     if (!rigid) {
       return std::nullopt;
     }
-    Eigen::VectorXd q = readings_of(arm, request.probe, *rigid);
-    if (turn_into_stops(arm, request, q)) {
+    const Eigen::VectorXd found = readings_of(arm, request.probe, *rigid);
+    Eigen::VectorXd q = found;
+    const bool inside = turn_into_stops(arm, request, q);
+    if (inside && (q == found || repeats_every_turn(arm.arm))) {
       return q;
     }
-    push_off_stops(arm, request, q);
+    if (!inside) {
+      push_off_stops(arm, request, q);
+    }
     from = q;
   }
   return std::nullopt;
