@@ -14,9 +14,8 @@ std::string in_words(const ModelFinding& finding) {
   const double degrees = finding.phase / units::degree;
   switch (finding.effect) {
     case Effect::OncePerTurn:
-      return fmt::format(
-          "joint {}: once per turn, {:.3g} arcsec x sin(q{} {:+.0f} deg), as an eccentric encoder has it", joint,
-          arcsec, joint, degrees);
+      return fmt::format("joint {}: once per turn (eccentric encoder?), {:.3g} arcsec x sin(q{} {:+.0f} deg)", joint,
+                         arcsec, joint, degrees);
     case Effect::TwicePerTurn:
       return fmt::format("joint {}: twice per turn, {:.3g} arcsec x sin(2 q{} {:+.0f} deg)", joint, arcsec, joint,
                          degrees);
@@ -33,7 +32,7 @@ std::string in_words(const ModelFinding& finding) {
 }
 
 std::string warning_of(const ModelStudy& study) {
-  constexpr std::size_t most_named = 3;
+  constexpr std::size_t most_named = 2;
   if (study.findings.empty()) {
     return {};
   }
@@ -45,11 +44,7 @@ std::string warning_of(const ModelStudy& study) {
   if (study.findings.size() > most_named) {
     named += fmt::format("; and {} more", study.findings.size() - most_named);
   }
-  return fmt::format(
-      "the residuals are not noise alone, the arm has errors that this model lacks: {}. The standard uncertainties do "
-      "not "
-      "know of them",
-      named);
+  return fmt::format("the residuals are more than noise, this model lacks: {}. No u here knows of that", named);
 }
 
 }  // namespace artcal

@@ -206,7 +206,9 @@ TEST_F(ArmFileTest, RefusesJointErrorsThatNoJointHas) {
   EXPECT_THAT(with("mass_kg = -1\n"), HasSubstr("the mass of a link is -1 kg"));
   EXPECT_THAT(with("compliance_arcsec_per_Nm = 10\nmass_kg = 1\n"), HasSubstr("not every joint states the mass"));
   EXPECT_THAT(with("harmonic = 1\n"), HasSubstr("harmonic"));
-  const auto at_root = [&](const std::string& key) { return refusal(replaced(text_, "name = ", key + "\nname = ")); };
+  const auto at_root = [&](const std::string& key) {
+    return refusal(replaced(text_, "convention = ", key + "\nconvention = "));
+  };
   EXPECT_THAT(at_root("gravity_m_s2 = [0, 0, -9806.65]"), HasSubstr("is no gravity"));
   EXPECT_THAT(at_root("gravity_m_s2 = [0, -9.81]"), HasSubstr("is no gravity"));
   EXPECT_THAT(at_root("reference_temperature_C = 293.15"), HasSubstr("the reference temperature is 293.15"));
