@@ -244,6 +244,27 @@ TEST(Simulate, InstrumentsHaveTheirNoise) {
   expect_chi_squared(sum, 300.0);
 }
 
+// What the plan says of the instrument counts, not what the artefact says of its reference.
+TEST(Simulate, AStatedInstrumentIsTheOneThatMeasures) {
+  for (const double stated : {0.0, 0.01}) {
+    SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Anchor), 300);
+    plan.artefacts[0].certified.features[1].u = 0.002;
+    plan.noise.instrument = stated;
+    const Simulation simulation = made(plan);
+    double squares = 0.0;
+    for (int i = 0; i < 900; ++i) {
+      const double off = simulation.recording.readings[i].length -
+                         (tip(simulation, i) - centre(simulation, feature_of(simulation, i))).norm();
+      squares += off * off;
+    }
+    if (stated > 0.0) {
+      expect_chi_squared(squares / (stated * stated), 900.0);
+    } else {
+      EXPECT_LT(std::sqrt(squares), 1e-7);
+    }
+  }
+}
+
 TEST(Simulate, StatesTheNoiseARecordingCanState) {
   SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere), 3);
   plan.noise.probing = 0.003;
