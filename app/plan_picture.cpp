@@ -3,26 +3,13 @@
 #include <fmt/format.h>
 
 #include "app/plan_result.h"
+#include "app/report/html.h"
 
 namespace artcal {
 namespace {
 
 constexpr double panel = 420.0;  // points of the picture
 constexpr double margin = 40.0;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '&': out += "&amp;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
 
 /// One view of the volume: across is the axis to the right, up the one upwards.
 struct View {
@@ -66,7 +53,7 @@ std::string placements_of(const View& view, const PlanResult& result) {
     text += line_of(view, ends, "stroke=\"#0057b7\" stroke-width=\"4\" stroke-linecap=\"round\"");
     text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", view.x(ends.last_in_base) + 6.0,
                         view.y(ends.last_in_base) - 4.0,
-                        escaped(result.possible.placements[static_cast<std::size_t>(chosen.candidate)].name));
+                        html::text(result.possible.placements[static_cast<std::size_t>(chosen.candidate)].name));
   }
   return text;
 }

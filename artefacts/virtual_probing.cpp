@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Dense>
 
-#include "acquisition/sweep.h"
+#include "artefacts/postures.h"
 #include "core/random.h"
 #include "core/rigid.h"
 
@@ -16,37 +16,13 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_misses = 200;  // in a row; then the arm cannot do what is asked
+constexpr int starts = 50;        // of a posture; then a point counts as out of reach
 
 CertifiedFeature feature_called(std::string name, FeatureKind kind) {
   CertifiedFeature feature;
   feature.name = std::move(name);
   feature.kind = kind;
   return feature;
-}
-
-Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
-  Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
-  for (double& angle : q) {
-    angle = random.uniform(-std::numbers::pi, std::numbers::pi);
-  }
-  return q;
-}
-
-Eigen::Vector3d tip_of(const Arm& arm, const Eigen::VectorXd& q) {
-  std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
-  joint_sines(angles, sines);
-  return Sweep(arm, {}, 0).tip_in_base({sines, angles});
-}
-
-// A random posture on a given point; nothing if the arm does not get there from any of 50 starts.
-std::optional<Eigen::VectorXd> posture_on(const Arm& arm, const Eigen::Vector3d& target, RandomStream& random) {
-  for (int attempt = 0; attempt < 50; ++attempt) {
-    if (auto q = reach_point(arm, 0, target, random_posture(arm, random))) {
-      return q;
-    }
-  }
-  return std::nullopt;
 }
 
 /// Collects readings into a recording.
@@ -96,7 +72,7 @@ VirtualRecording probe_coordinates(const Arm& arm, const VirtualProbing& options
   const Rigid artefact_from_base = in_base ? Rigid{} : Rigid{random.rotation(), 0.3 * reach(arm) * random.direction()};
   for (int i = 0; i < options.readings; ++i) {
     const Eigen::VectorXd q = random_posture(arm, random);
-    recorder.add(q, "1", "tip", artefact_from_base * tip_of(arm, q), nan);
+    recorder.add(q, "1", "tip", artefact_from_base * tip_at(arm, 0, q), nan);
   }
   return {recorder.finish(), {artefact}};
 }
@@ -112,7 +88,7 @@ VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, 
   int misses = 0;
   while (pairs < options.readings / 2 && misses < most_misses) {
     const Eigen::VectorXd first = random_posture(arm, random);
-    if (const auto second = posture_on(arm, tip_of(arm, first) + length * random.direction(), random)) {
+    if (const auto second = posture_at(arm, 0, tip_at(arm, 0, first) + length * random.direction(), random, starts)) {
       const std::string placement = fmt::format("{}", ++pairs);
       recorder.add(first, placement, "1", no_reference, nan);
       recorder.add(*second, placement, "2", no_reference, nan);
@@ -154,9 +130,9 @@ struct Somewhere {
   [[nodiscard]] Eigen::Vector3d target(const Arm& arm, RandomStream& random) const {
     switch (kind) {
       case FeatureKind::Sphere: return centre + ball * random.direction();
-      case FeatureKind::Anchor: return tip_of(arm, random_posture(arm, random));
+      case FeatureKind::Anchor: return tip_at(arm, 0, random_posture(arm, random));
       case FeatureKind::Plane: {
-        const Eigen::Vector3d anywhere = tip_of(arm, random_posture(arm, random));
+        const Eigen::Vector3d anywhere = tip_at(arm, 0, random_posture(arm, random));
         return anywhere - normal.dot(anywhere - centre) * normal;
       }
       default: return centre;
@@ -177,7 +153,7 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
     if (options.kind == ReadingKind::Sphere) {
       artefact.features.back().radius = options.ball_radius;
     }
-    Somewhere place{kind, tip_of(arm, random_posture(arm, random)), first_axis(arm),
+    Somewhere place{kind, tip_at(arm, 0, random_posture(arm, random)), first_axis(arm),
                     options.ball_radius + arm.probes.front().radius};
     if (options.kind == ReadingKind::Plane) {
       place.normal = random.direction();
@@ -185,7 +161,7 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
     const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
     for (int i = 0; i < count && misses < most_misses;) {
       const Eigen::Vector3d target = place.target(arm, random);
-      if (const auto q = posture_on(arm, target, random)) {
+      if (const auto q = posture_at(arm, 0, target, random, starts)) {
         recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - place.centre).norm() : nan);
         ++i;
         misses = 0;
@@ -209,11 +185,11 @@ VirtualRecording probe_plate(const Arm& arm, const VirtualProbing& options, Rand
   Recorder recorder(arm, artefact.name);
   int misses = 0;
   for (int p = 0; p < options.features; ++p) {
-    const Rigid base_from_plate{random.rotation(), 0.6 * tip_of(arm, random_posture(arm, random))};
+    const Rigid base_from_plate{random.rotation(), 0.6 * tip_at(arm, 0, random_posture(arm, random))};
     const int count = options.readings / options.features + (p < options.readings % options.features ? 1 : 0);
     for (int i = 0, point = 0; i < count && misses < most_misses; ++point) {
       const CertifiedFeature& feature = artefact.features[point % 9];
-      if (const auto q = posture_on(arm, base_from_plate * *feature.at, random)) {
+      if (const auto q = posture_at(arm, 0, base_from_plate * *feature.at, random, starts)) {
         recorder.add(*q, fmt::format("{}", p + 1), feature.name, no_reference, nan);
         ++i;
         misses = 0;
@@ -226,31 +202,6 @@ VirtualRecording probe_plate(const Arm& arm, const VirtualProbing& options, Rand
 }
 
 }  // namespace
-
-std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
-                                           Eigen::VectorXd start, double arm_temperature) {
-  const Sweep sweep(arm, {}, probe);
-  const double length = reach(arm);
-  std::vector<double> sines(2 * arm.joints.size());
-  Eigen::Matrix3Xd by_joints(3, start.size());
-  Eigen::VectorXd& q = start;
-  for (int iteration = 0; iteration < 100; ++iteration) {
-    const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
-    joint_sines(angles, sines);
-    const Eigen::Vector3d miss =
-        target_in_base - sweep.tip_by_joints({sines, angles, arm_temperature}, by_joints.data());
-    if (miss.norm() <= 1e-13 * length) {
-      return q;
-    }
-    // Damping that fades with the miss: steady far away, quadratic near.
-    const double damping = 1e-3 * length * std::min(miss.norm(), length) + 1e-16 * length * length;
-    const Eigen::Matrix3d normal = by_joints * by_joints.transpose() + damping * Eigen::Matrix3d::Identity();
-    Eigen::VectorXd step = by_joints.transpose() * normal.ldlt().solve(miss);
-    const double largest = step.cwiseAbs().maxCoeff();
-    q += (largest > 0.5 ? 0.5 / largest : 1.0) * step;
-  }
-  return std::nullopt;
-}
 
 VirtualRecording probe_virtually(const Arm& arm, const VirtualProbing& options) {
   RandomStream random(options.seed, "virtual probing", static_cast<std::uint64_t>(options.kind));

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,13 +9,6 @@
 #include "artefacts/artefact.h"
 
 namespace artcal {
-
-/// Joint angles (rad) that put the tip at a point of the base frame, found from `start` by damped
-/// Gauss-Newton; the redundancy of the arm keeps the posture near the start. Nothing if the point cannot
-/// be reached from there. The tip is within 1e-13 of the reach. `arm_temperature` as in JointSines.
-std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
-                                           Eigen::VectorXd start,
-                                           double arm_temperature = std::numeric_limits<double>::quiet_NaN());
 
 /// A kind of reading, as `artcal coupling --kind` names it.
 enum class ReadingKind {

@@ -15,10 +15,10 @@
 #include <fmt/format.h>
 
 #include "acquisition/sweep.h"
+#include "artefacts/postures.h"
 #include "artefacts/simulation/simulate.h"
 #include "identification/identify.h"
 #include "identification/monte_carlo.h"
-#include "identification/postures.h"
 #include "identification/uncertain_arm.h"
 #include "tests/support/plans.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
 #include "identification/residual.h"
 
 namespace artcal {

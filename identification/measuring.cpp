@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "acquisition/sweep.h"
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
+#include "artefacts/simulation/pattern.h"
 #include "fitting/fit.h"
-#include "identification/postures.h"
 #include "identification/turned_sines.h"
 #include "identification/working_volume.h"
 
@@ -22,18 +22,12 @@ constexpr int points_each = 5;
 constexpr int most_draws = 50;  // of one length, ball or articulation before it is given up
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::Vector3d tip_of(const Arm& arm, int probe, const Eigen::VectorXd& q) {
-  std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
-  return Sweep(arm, {}, probe).tip_in_base(sines);
-}
-
 std::optional<MeasuringPlan::Ball> draw_ball(const Arm& arm, const MeasuringRequest& request, RandomStream& random) {
   MeasuringPlan::Ball ball;
-  ball.centre_in_base = tip_of(arm, request.probe, random_posture(arm, random));
+  ball.centre_in_base = tip_at(arm, request.probe, random_posture(arm, random));
   const Eigen::Matrix3d turn = random.rotation();
   const double radius = 0.5 * request.diameter + arm.probes[request.probe].radius;
-  for (const Eigen::Vector3d& direction : pattern_of_25()) {
+  for (const Eigen::Vector3d& direction : iso_directions()) {
     auto q = posture_at(arm, request.probe, ball.centre_in_base + radius * (turn * direction), random);
     if (!q) {
       return std::nullopt;
@@ -47,7 +41,7 @@ std::optional<MeasuringPlan::Ball> draw_ball(const Arm& arm, const MeasuringRequ
 std::optional<MeasuringPlan::Articulation> draw_articulation(const Arm& arm, const MeasuringRequest& request,
                                                              RandomStream& random) {
   MeasuringPlan::Articulation articulation;
-  const Eigen::Vector3d centre = tip_of(arm, request.probe, random_posture(arm, random));
+  const Eigen::Vector3d centre = tip_at(arm, request.probe, random_posture(arm, random));
   const double radius = 0.5 * request.diameter + arm.probes[request.probe].radius;
   for (int orientation = 0; orientation < orientations; ++orientation) {
     const auto start = posture_at(arm, request.probe, centre, random);
@@ -102,7 +96,7 @@ void add_drawn_lengths(const Arm& arm, const MeasuringRequest& request, Measurin
       const auto drawn = drawn_at_last([&]() -> std::optional<MeasuringPlan::Length> {
         const Eigen::VectorXd first = random_posture(arm, random);
         auto second =
-            posture_at(arm, request.probe, tip_of(arm, request.probe, first) + length * random.direction(), random);
+            posture_at(arm, request.probe, tip_at(arm, request.probe, first) + length * random.direction(), random);
         return second ? std::optional(MeasuringPlan::Length{"", {first, std::move(*second)}}) : std::nullopt;
       });
       if (drawn) {

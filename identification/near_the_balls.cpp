@@ -108,6 +108,11 @@ Near approach(const Recording& recording, const Constraints& constraints, const 
 
 Arm arm_near_the_balls(const Recording& recording, const Constraints& constraints, const Arm& start,
                        const Selection& selection) {
+  const bool has_balls = std::any_of(constraints.features.begin(), constraints.features.end(),
+                                     [](const FeatureConstraint& feature) { return feature.demand == Demand::OnBall; });
+  if (!has_balls) {
+    return start;
+  }
   Near best{start, count_beyond(round_enough, recording, constraints, constraints, start)};
   const auto try_from = [&](const Arm& arm) {
     Near near = approach(recording, constraints, arm, selection);

@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
+#include "core/kabsch.h"
 #include "identification/ball_start.h"
 #include "identification/plane_start.h"
 #include "identification/problem.h"
@@ -33,12 +33,11 @@ std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd&
   const Eigen::Vector3d from_mean = from.rowwise().mean();
   const Eigen::Vector3d onto_mean = onto.rowwise().mean();
   const Eigen::Matrix3d moment = (onto.colwise() - onto_mean) * (from.colwise() - from_mean).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (!(svd.singularValues()[1] > 1e-9 * svd.singularValues()[0])) {
+  const Turning turning = turning_of(moment);
+  if (!(turning.shares[1] > 1e-9 * turning.shares[0])) {
     return std::nullopt;
   }
-  Eigen::Vector3d sign(1.0, 1.0, (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0);
-  Rigid onto_from{svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose(), {}};
+  Rigid onto_from{turning.rotation, {}};
   onto_from.translation = onto_mean - onto_from.rotation * from_mean;
   return onto_from;
 }

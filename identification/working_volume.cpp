@@ -6,8 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "artefacts/postures.h"
+#include "artefacts/simulation/pattern.h"
 #include "core/random.h"
-#include "identification/postures.h"
 
 namespace artcal {
 namespace {
@@ -54,7 +55,7 @@ LengthUncertainty of_lengths(const UncertainArm& arm, double length, int count, 
 
 SpreadOfU of_diameters(const UncertainArm& arm, const VolumeSampling& sampling) {
   RandomStream random(sampling.seed, "spheres");
-  const auto pattern = pattern_of_25();
+  const auto pattern = iso_directions();
   const double radius = 0.5 * sampling.diameter + arm.arm().probes[arm.probe()].radius;
   std::vector<double> values;
   for (int i = 0; i < sampling.spheres; ++i) {

@@ -14,6 +14,8 @@ Eigen::Vector3d from_pole(double polar, double azimuth) {
   return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
 }
 
+}  // namespace
+
 std::vector<Eigen::Vector3d> iso_directions() {
   constexpr double step = 22.5 * units::degree;
   std::vector<Eigen::Vector3d> directions{Eigen::Vector3d::UnitZ()};
@@ -25,8 +27,6 @@ std::vector<Eigen::Vector3d> iso_directions() {
   }
   return directions;
 }
-
-}  // namespace
 
 Eigen::Matrix3d rotation_to(const Eigen::Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();

@@ -9,9 +9,12 @@
 
 namespace artcal {
 
-/// Unit directions from a ball's centre to where it is touched, in the base frame. Iso25: the pole, 4 at
-/// 22.5° from it, 8 at 45°, 4 at 67.5°, 8 at 90°, each ring turned by 22.5° against the one before. Spread:
-/// uniform over the cap.
+/// Unit directions of the 25 points about the pole z: the pole, 4 at 22.5° from it, 8 at 45°, 4 at 67.5°, 8 at 90°,
+/// each ring turned by 22.5° against the one before (docs/verification.md).
+std::vector<Eigen::Vector3d> iso_directions();
+
+/// Unit directions from a ball's centre to where it is touched, in the base frame. Iso25: iso_directions() about the
+/// probing's pole. Spread: uniform over the cap.
 std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, RandomStream& random);
 
 /// Places on a plane's rectangle, uniform, in the frame of the plane's normal: (x, y) of two unit vectors

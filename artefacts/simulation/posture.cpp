@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "acquisition/sweep.h"
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
 
 namespace artcal {
 namespace {

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "core/kabsch.h"
+
 namespace artcal {
 
 Expected<RigidFit> fit_rigid(const Eigen::Matrix3Xd& to, const Eigen::Matrix3Xd& from, const Eigen::VectorXd& weights) {
@@ -23,11 +25,8 @@ Expected<RigidFit> fit_rigid(const Eigen::Matrix3Xd& to, const Eigen::Matrix3Xd&
   if (!(shape(1) > 1e-12 * shape(0))) {
     return no_solution("the points of a pose lie on one line, so that its turning about that line is not told");
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(a * w.asDiagonal() * b.transpose(),
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   RigidFit fit;
-  fit.to_from.rotation = svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
+  fit.to_from.rotation = turning_of(a * w.asDiagonal() * b.transpose()).rotation;
   fit.to_from.translation = to_centroid - fit.to_from.rotation * from_centroid;
   const Eigen::Matrix3Xd turned = fit.to_from.rotation * b;
   fit.residuals = a - turned;

@@ -186,11 +186,6 @@ class Planner {
   TestLengths told_by_;
 };
 
-Expected<std::vector<Parameter>> free_of(const Arm& arm, const Coupling& coupling) {
-  const auto selection = select_parameters(arm, {}, {});
-  return selection ? free_parameters(*selection, coupling) : tl::unexpected(selection.error());
-}
-
 int candidate_of(const Simulation& possible, int placement) {
   const std::string& name = possible.recording.placements.name(placement);
   const auto found = std::find_if(possible.placements.begin(), possible.placements.end(),
@@ -221,7 +216,7 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
         "no calibrated length is in what could be read, so that no choice tells the scale of the arm; plan with a ball "
         "bar, a plate, or anything else with certified distances");
   }
-  const auto free = free_of(arm, *coupling);
+  const auto free = free_parameters(*selection, *coupling);
   if (!free) {
     return tl::unexpected(free.error());
   }

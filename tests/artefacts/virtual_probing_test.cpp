@@ -9,6 +9,7 @@
 #include <Eigen/SVD>
 
 #include "artefacts/constraint.h"
+#include "artefacts/postures.h"
 #include "core/random.h"
 #include "tests/support/arms.h"
 #include "tests/support/forward_kinematics.h"

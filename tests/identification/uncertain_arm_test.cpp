@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "fitting/fit.h"

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "artefacts/postures.h"
 #include "artefacts/simulation/simulate.h"
 #include "core/units.h"
 #include "identification/identify.h"
-#include "identification/postures.h"
 #include "identification/uncertain_arm.h"
 #include "tests/support/forward_kinematics.h"
 #include "tests/support/plans.h"

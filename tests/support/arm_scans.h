@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "acquisition/arm.h"
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
 #include "core/random.h"
 #include "tests/support/arms.h"
 

@@ -9,7 +9,7 @@
 
 #include "acquisition/arm_file.h"
 #include "artefacts/artefact_file.h"
-#include "artefacts/virtual_probing.h"
+#include "artefacts/postures.h"
 #include "core/units.h"
 #include "tests/support/reported_readings.h"
 
