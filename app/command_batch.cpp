@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -22,7 +23,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::vector<std::string> paths;
-  std::string store, shard, report;
+  std::string store, shard, report, report_pages = "shared";
   BatchRequest batch;
 };
 
@@ -34,11 +35,24 @@ std::vector<InputFile> as_inputs(const std::vector<std::string>& files) {
   return inputs;
 }
 
-Expected<void> write_index(const Request& request, Store& store, const std::vector<std::string>& files) {
+// Beside a file only: an index that goes to a pipe or a device has none.
+std::optional<ReportPages> pages_of(const Request& request) {
+  std::error_code ignored;
+  const auto index = std::filesystem::status(request.report, ignored);
+  if (request.report.empty() || request.report_pages == "none" ||
+      (std::filesystem::exists(index) && !std::filesystem::is_regular_file(index))) {
+    return std::nullopt;
+  }
+  return ReportPages(request.report, request.report_pages == "self-contained" ? ReportPages::Kind::SelfContained
+                                                                              : ReportPages::Kind::Shared);
+}
+
+Expected<void> write_index(const Request& request, Store& store, const std::vector<std::string>& files,
+                           const BatchSummary& summary, const ReportPages* pages) {
   if (request.report.empty()) {
     return {};
   }
-  const auto rows = index_rows(store, files);
+  const auto rows = index_rows(store, files, pages, summary.page_errors);
   if (!rows) {
     return tl::unexpected(rows.error());
   }
@@ -66,7 +80,13 @@ Expected<int> run_and_tell(const Request& request) {
   if (!request.common.quiet) {
     progress.emplace(stderr, files->size(), ::isatty(STDERR_FILENO) == 1);
   }
-  const auto summary = run_batch(*files, request.batch, *store, [&](const RecordingOutcome& outcome) {
+  auto pages = pages_of(request);
+  BatchRequest asked = request.batch;
+  if (pages) {
+    pages->begin();
+    asked.pages = &*pages;
+  }
+  const auto summary = run_batch(*files, asked, *store, [&](const RecordingOutcome& outcome) {
     if (progress) {
       progress->step(outcome.exit_code > 1);
     }
@@ -78,7 +98,7 @@ Expected<int> run_and_tell(const Request& request) {
   if (auto written = write_json(request.common.json, to_json(*summary, store->name())); !written) {
     return tl::unexpected(written.error());
   }
-  if (auto written = write_index(request, *store, *files); !written) {
+  if (auto written = write_index(request, *store, *files, *summary, asked.pages); !written) {
     return tl::unexpected(written.error());
   }
   if (request.common.talks()) {
@@ -107,8 +127,18 @@ Run set_up_batch(CLI::App& parser) {
                   "identify again without each placement, as identify does; takes several times as long");
   parser.add_option("--shard", request->shard, "do the k-th of n parts; in a Slurm job array known by itself")
       ->type_name("K/N");
-  parser.add_option("--report", request->report, "write a page that lists these recordings and what they came to")
+  parser
+      .add_option("--report", request->report,
+                  "write a page that lists these recordings and what they came to, and beside it, in FILE-reports, a "
+                  "page of each")
       ->type_name("FILE.html");
+  parser
+      .add_option("--report-pages", request->report_pages,
+                  "the pages' plots: shared, one file for all of the folder; self-contained, 1.8 MB in each, to be "
+                  "sent alone; none, no pages")
+      ->check(CLI::IsMember({"shared", "self-contained", "none"}))
+      ->needs(parser.get_option("--report"))
+      ->capture_default_str();
   request->common.add_to(parser);
   parser.footer(
       "Each recording is identified, verified or both, as its file asks. The exit code is 0 where all went well, 1 "

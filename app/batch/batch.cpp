@@ -89,6 +89,20 @@ int worse(int one, int other) {
   return rank(one) >= rank(other) ? one : other;
 }
 
+// A result that the store has is computed again where its page is not there: the store does not hold its readings.
+bool is_done(const BatchRequest& request, const std::string& path, const std::string& recording, int exit_code) {
+  return request.pages == nullptr || exit_code > 1 || request.pages->has(path, recording);
+}
+
+void write_page(const BatchRequest& request, RecordingOutcome& outcome) {
+  if (!outcome.results.empty()) {
+    const auto recording = std::get<std::string>(outcome.entry[StoreTable::Recordings].front().front());
+    if (auto written = request.pages->write(outcome.path, recording, outcome.results); !written) {
+      outcome.page_error = written.error().text();
+    }
+  }
+}
+
 void count(BatchSummary& summary, const RecordingOutcome& outcome) {
   summary.identified += outcome.identified;
   summary.verified += outcome.verified;
@@ -98,7 +112,12 @@ void count(BatchSummary& summary, const RecordingOutcome& outcome) {
   // What the recording itself asks wrongly is bad input to a batch.
   summary.exit_code = worse(summary.exit_code, outcome.exit_code == 2 ? 3 : outcome.exit_code);
   if (outcome.exit_code > 1 && summary.failures.size() < BatchSummary::most_listed) {
-    summary.failures.push_back({outcome.path, outcome.exit_code, outcome.error, false, false, false, {}});
+    summary.failures.push_back({outcome.path, outcome.exit_code, outcome.error, false, false, false, {}, {}, {}});
+  }
+  summary.pages += !outcome.results.empty() && outcome.page_error.empty();
+  if (!outcome.page_error.empty()) {
+    summary.page_errors[outcome.path] = outcome.page_error;
+    summary.exit_code = worse(summary.exit_code, 3);
   }
 }
 
@@ -110,7 +129,6 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
       request.jobs > 0 ? static_cast<std::size_t>(request.jobs) : std::max(1u, std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, jobs);
   SharedStore shared(store, request.resume ? Known::Keep : Known::Replace);
-  const FindResult find = request.resume ? [&](const std::string& key) { return shared.result(key); } : FindResult();
   BatchSummary summary;
   summary.files = files.size();
   std::size_t next = 0;
@@ -123,13 +141,20 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
     return {path, request.resume ? shared.file(path) : std::nullopt};
   };
   const auto run = [&](const Item& item) {
-    if (item.stored) {
+    if (item.stored && is_done(request, item.path, item.stored->recording, item.stored->result.exit_code)) {
       if (auto known = known_outcome(item.path, *item.stored, request.options)) {
         known->entry = {};  // the store says all this already
         return std::move(*known);
       }
     }
-    return run_recording(item.path, request.options, find);
+    const auto find = [&](const std::string& key) {
+      auto result = shared.result(key);
+      return result && is_done(request, item.path, key, result->exit_code) ? result : std::nullopt;
+    };
+    auto outcome = run_recording(item.path, request.options, request.resume ? FindResult(find) : FindResult(),
+                                 request.pages != nullptr ? Keep::RowsAndResults : Keep::Rows);
+    write_page(request, outcome);
+    return outcome;
   };
   const auto keep = [&](RecordingOutcome outcome) {
     if (!outcome.entry[StoreTable::Files].empty()) {

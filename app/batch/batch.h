@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "app/batch/report_pages.h"
 #include "app/batch/run_recording.h"
 #include "app/store/store.h"
 
@@ -11,8 +13,9 @@ namespace artcal {
 
 struct BatchRequest {
   BatchOptions options;
-  bool resume = false;  ///< leave alone what the store has a result of
-  int jobs = 0;         ///< at once; 0: as many as the machine has cores. The store does not depend on it
+  bool resume = false;                 ///< leave alone what the store has a result of
+  const ReportPages* pages = nullptr;  ///< where every result has a page written; null: nowhere
+  int jobs = 0;  ///< at once; 0: as many as the machine has cores. The store does not depend on it
 };
 
 /// What became of a batch.
@@ -22,9 +25,12 @@ struct BatchSummary {
   std::size_t known = 0;      ///< left alone: the store had the result
   std::size_t not_shown = 0;  ///< verified, and conformity was not shown
   std::size_t failed = 0;
-  int exit_code = 0;  ///< 3 where a file was refused, else 4 where one had no solution, else 1 where one was not shown
+  std::size_t pages = 0;  ///< reports written
+  int exit_code = 0;      ///< 3 where a file was refused or a report could not be written, else 4 where one had no
+                          ///< solution, else 1 where one was not shown
   std::vector<RecordingOutcome> failures;  ///< in the order of the files, without their rows; at most most_listed
   static constexpr std::size_t most_listed = 1000;
+  std::map<std::string, std::string> page_errors;  ///< by path: why there is no report
 };
 
 /// Runs every file and writes what becomes of it to the store, some at a time: a run that is killed has lost nothing

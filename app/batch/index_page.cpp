@@ -45,9 +45,21 @@ IndexRow row_of(const StoreRow& row) {
   return shown;
 }
 
+void add_page(IndexRow& row, const std::string& recording, const ReportPages* pages,
+              const std::map<std::string, std::string>& page_errors) {
+  if (pages != nullptr && pages->has(row.recording, recording)) {
+    row.report = pages->link(row.recording, recording);
+  }
+  if (const auto error = page_errors.find(row.recording); error != page_errors.end()) {
+    row.message += (row.message.empty() ? "no report: " : "; no report: ") + error->second;
+  }
+}
+
 }  // namespace
 
-Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::string>& files) {
+Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::string>& files,
+                                           const ReportPages* pages,
+                                           const std::map<std::string, std::string>& page_errors) {
   const auto found = store.rows(query);
   const auto warnings = found ? store.rows(warnings_query) : found;
   const auto shares = warnings ? store.rows(shares_query) : warnings;
@@ -70,6 +82,7 @@ Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::
     }
     rows.push_back(row_of(row));
     const std::string recording = text_of(row[9]);
+    add_page(rows.back(), recording, pages, page_errors);
     rows.back().warnings = warnings_of.contains(recording) ? warnings_of[recording] : 0;
     if (largest_of.contains(recording)) {
       rows.back().largest_of_limit = largest_of[recording];

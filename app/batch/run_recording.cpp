@@ -10,6 +10,9 @@
 #include "app/batch/result_rows.h"
 #include "app/identification_run.h"
 #include "app/model_asked.h"
+#include "app/readings_json.h"
+#include "app/result_json.h"
+#include "app/verification_json.h"
 #include "app/verification_run.h"
 
 namespace artcal {
@@ -37,6 +40,17 @@ std::string without_folder(std::string text, const std::filesystem::path& folder
     text.erase(at, prefix.size());
   }
   return text;
+}
+
+void leave_out_folder(nlohmann::ordered_json& json, const std::filesystem::path& folder) {
+  if (json.is_string()) {
+    json = without_folder(json.get<std::string>(), folder);
+  }
+  if (json.is_structured()) {
+    for (nlohmann::ordered_json& inner : json) {
+      leave_out_folder(inner, folder);
+    }
+  }
 }
 
 Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& options) {
@@ -70,7 +84,7 @@ void note_error(RecordingOutcome& outcome, const Error& error) {
   outcome.error += (outcome.error.empty() ? "" : "; ") + error.text();
 }
 
-void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& options) {
+void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& options, Keep keep) {
   IdentifyOptions asked = recorded_options(job.recording);
   asked.leave_out = options.leave_out;
   asked.threads = 1;
@@ -89,9 +103,14 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   outcome.identified = true;
   add_identification(outcome.entry, job.key, *result);
   add_remarks(outcome.entry, job.key, "warning", result->warnings);
+  if (keep == Keep::RowsAndResults) {
+    auto json = to_json(job.recording, job.constraints, asked, *result, {});
+    json["residuals"] = residuals_json(job.recording, job.constraints, *result);
+    outcome.results.push_back(reported(std::move(json)));
+  }
 }
 
-void do_verify(RecordingOutcome& outcome, Job& job) {
+void do_verify(RecordingOutcome& outcome, Job& job, Keep keep) {
   const auto result = run_verification(*job.verification, "", "");
   if (!result) {
     note_error(outcome, result.error());
@@ -102,6 +121,9 @@ void do_verify(RecordingOutcome& outcome, Job& job) {
   add_verification(outcome.entry, job.key, *result, job.verification->specification.name);
   add_remarks(outcome.entry, job.key, "warning", result->verification.warnings);
   add_remarks(outcome.entry, job.key, "missing", result->verification.missing);
+  if (keep == Keep::RowsAndResults) {
+    outcome.results.push_back(reported(to_json(job.verification->session(), *result)));
+  }
 }
 
 void finish(RecordingOutcome& outcome, const std::string& key, const std::filesystem::path& folder) {
@@ -115,6 +137,9 @@ void finish(RecordingOutcome& outcome, const std::string& key, const std::filesy
   }
   for (StoreRow& remark : outcome.entry[StoreTable::Remarks]) {
     remark[3] = without_folder(std::get<std::string>(remark[3]), folder);
+  }
+  for (ReportedResult& result : outcome.results) {
+    leave_out_folder(result.json, folder);
   }
   outcome.entry[StoreTable::Files] = {{outcome.path, recording, exit_code, error}};
 }
@@ -137,7 +162,7 @@ RecordingOutcome known(const std::string& path, const std::string& key, const St
   return outcome;
 }
 
-RecordingOutcome run(const std::string& path, const BatchOptions& options, const FindResult& find) {
+RecordingOutcome run(const std::string& path, const BatchOptions& options, const FindResult& find, Keep keep) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   auto job = read_job(path, options);
   if (!job) {
@@ -152,10 +177,10 @@ RecordingOutcome run(const std::string& path, const BatchOptions& options, const
   outcome.path = path;
   add_recording(outcome.entry, job->key, options.text(), job->whole(), job->bound(), job->inputs);
   if (job->recording.identify.asked) {
-    do_identify(outcome, *job, options);
+    do_identify(outcome, *job, options, keep);
   }
   if (job->verification) {
-    do_verify(outcome, *job);
+    do_verify(outcome, *job, keep);
   }
   if (const std::string changed = first_changed(folder, job->inputs); !changed.empty()) {
     return refused(path, {ErrorCode::BadInput,
@@ -169,9 +194,10 @@ RecordingOutcome run(const std::string& path, const BatchOptions& options, const
 
 }  // namespace
 
-RecordingOutcome run_recording(const std::string& path, const BatchOptions& options, const FindResult& find) {
+RecordingOutcome run_recording(const std::string& path, const BatchOptions& options, const FindResult& find,
+                               Keep keep) {
   try {
-    return run(path, options, find);
+    return run(path, options, find, keep);
   } catch (const std::bad_alloc&) {
     return refused(path, {ErrorCode::BadInput, "there is not enough memory for this recording", ""});
   } catch (const std::exception& error) {

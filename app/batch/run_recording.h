@@ -3,8 +3,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/batch/batch_options.h"
+#include "app/report/result_file.h"
 #include "app/store/store.h"
 
 namespace artcal {
@@ -17,7 +19,12 @@ struct RecordingOutcome {
   bool identified = false, verified = false;
   bool was_known = false;  ///< the store has the result already
   StoreEntry entry;
+  std::vector<ReportedResult> results;  ///< for a report, where asked for: without a trace of where the recording lies
+  std::string page_error;               ///< why its report could not be written; empty where none was asked for
 };
+
+/// Whether the results themselves are wanted beside their rows.
+enum class Keep { Rows, RowsAndResults };
 
 /// What a store knows of a result of this name, if it has one.
 using FindResult = std::function<std::optional<StoredResult>(const std::string& recording)>;
@@ -25,7 +32,8 @@ using FindResult = std::function<std::optional<StoredResult>(const std::string& 
 /// Reads a recording and does what it asks for. Never fails: what goes wrong is an outcome. `find` is asked before
 /// anything is computed; an empty one is not.
 /// A file that changes from the first look at it to the last is refused: the result may be of half a file.
-RecordingOutcome run_recording(const std::string& path, const BatchOptions& options, const FindResult& find);
+RecordingOutcome run_recording(const std::string& path, const BatchOptions& options, const FindResult& find,
+                               Keep keep = Keep::Rows);
 
 /// The outcome of a file whose result the store has, with the inputs it has now; nothing where they differ.
 std::optional<RecordingOutcome> known_outcome(const std::string& path, const StoredFile& file,

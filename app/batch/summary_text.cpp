@@ -28,6 +28,8 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
   add("  verified", summary.verified);
   add("  conformity not shown", summary.not_shown);
   add("  failed", summary.failed);
+  add("  reports written", summary.pages);
+  add("  reports not written", summary.page_errors.size());
   std::string text = table.text();
   if (!summary.failures.empty()) {
     text += "\nFailed:\n";
@@ -39,6 +41,11 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
   }
   if (summary.failed > most_told) {
     text += fmt::format("  … {} more; they are in the store: files with an error\n", summary.failed - most_told);
+  }
+  if (!summary.page_errors.empty()) {
+    const auto& [path, error] = *summary.page_errors.begin();
+    text += fmt::format("\nThe first report that was not written is of {}:\n  {}\n", in_one_line(valid_utf8(path)),
+                        at_most(400, in_one_line(valid_utf8(error))));
   }
   return text + fmt::format("\nThe results are in {}.\n", store);
 }
@@ -52,6 +59,8 @@ nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& s
   json["verified"] = summary.verified;
   json["not_shown"] = summary.not_shown;
   json["failed"] = summary.failed;
+  json["reports"] = summary.pages;
+  json["reports_failed"] = summary.page_errors.size();
   json["failures"] = nlohmann::ordered_json::array();
   for (const RecordingOutcome& failure : summary.failures) {
     json["failures"].push_back({{"path", failure.path}, {"exit_code", failure.exit_code}, {"error", failure.error}});

@@ -34,8 +34,19 @@ std::string number(const std::optional<double>& value, const char* format) {
   return value ? fmt::format(fmt::runtime(format), *value) : "";
 }
 
-std::string name_of(const IndexRow& row) {
-  const std::string name = html::text(row.recording);
+// What all paths begin with, up to a slash: said once, not in every row.
+std::string common_folder(const std::vector<IndexRow>& rows) {
+  std::string common = rows.empty() ? "" : rows.front().recording;
+  for (const IndexRow& row : rows) {
+    const auto end = std::mismatch(common.begin(), common.end(), row.recording.begin(), row.recording.end()).first;
+    common.erase(end, common.end());
+  }
+  const std::size_t slash = common.rfind('/');
+  return slash == std::string::npos ? "" : common.substr(0, slash + 1);
+}
+
+std::string name_of(const IndexRow& row, const std::string& folder) {
+  const std::string name = html::text(std::string_view(row.recording).substr(folder.size()));
   return row.report.empty() ? name : fmt::format("<a href=\"{}\">{}</a>", link_to(row.report), name);
 }
 
@@ -58,6 +69,7 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
     order.push_back(&row);
   }
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->outcome > b->outcome; });
+  const std::string folder = common_folder(rows);
   html::Table table("Every recording; a click on a column's head sorts by it", {{"recording", false, true},
                                                                                 {"arm", false},
                                                                                 {"date", false, false, true},
@@ -70,13 +82,16 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
                                                                                 {"message", false}});
   for (const IndexRow* row : order) {
     table.add_markup(
-        {name_of(*row), html::text(row->arm), html::text(row->date), html::text(row->task), word_of(row->outcome),
-         number(row->rms_before, "{:.4f}"), number(row->rms_after, "{:.4f}"), number(row->largest_of_limit, "{:.2f}"),
-         fmt::format("{}", row->warnings), html::text(row->message)},
+        {name_of(*row, folder), html::text(row->arm), html::text(row->date), html::text(row->task),
+         word_of(row->outcome), number(row->rms_before, "{:.4f}"), number(row->rms_after, "{:.4f}"),
+         number(row->largest_of_limit, "{:.2f}"), fmt::format("{}", row->warnings), html::text(row->message)},
         row->outcome == IndexOutcome::Failed ? "notable" : "");
   }
   const std::string body =
-      html::element("main", html::element("h1", html::text(title)) + summary(rows) + table.markup("class=\"sortable\""),
+      html::element("main",
+                    html::element("h1", html::text(title)) + summary(rows) +
+                        (folder.empty() ? "" : html::element("p", "Recordings in " + html::text(folder))) +
+                        table.markup("class=\"sortable\""),
                     "class=\"wide\"");
   return page_html({title, body, nlohmann::ordered_json::object(), Scripts::Sorting});
 }

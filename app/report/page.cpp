@@ -8,6 +8,7 @@
 #include "app/report/html.h"
 #include "app/report/web_files.h"
 #include "app/version.h"
+#include "core/hash.h"
 
 namespace artcal {
 namespace {
@@ -35,15 +36,18 @@ struct Script {
 const std::vector<Script>& scripts_of(Scripts which) {
   static const std::vector<Script> plots{Script(web_files::plotly(), web_files::plotly_licence()),
                                          Script(web_files::figures())};
+  static const std::vector<Script> missing{Script(web_files::missing())};
   static const std::vector<Script> sorting{Script(web_files::sorting())};
-  return which == Scripts::Plots ? plots : sorting;
+  return which == Scripts::Plots ? plots : which == Scripts::SharedPlots ? missing : sorting;
 }
 
 }  // namespace
 
 std::string page_html(const Page& page) {
   const auto& scripts = scripts_of(page.scripts);
-  std::string sources, code;
+  const bool shares = page.scripts == Scripts::SharedPlots;
+  std::string sources = shares ? " 'self' file:" : "";
+  std::string code = shares ? fmt::format("<script src=\"{}\"></script>\n", shared_scripts().name) : "";
   for (const Script& script : scripts) {
     sources += " " + script.source;
     code += script.licence.empty() ? "" : fmt::format("<!-- {} -->\n", script.licence);
@@ -57,6 +61,15 @@ std::string page_html(const Page& page) {
       "<meta name=\"generator\" content=\"artcal {}\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n{}</body>\n</html>\n",
       sources, program_version, html::text(page.title), web_files::style(), page.body, html::data(page.data), code);
+}
+
+const SharedScripts& shared_scripts() {
+  static const SharedScripts scripts = [] {
+    const std::string text = fmt::format("/* {} */\n{}\n(() => {{\n{}}})();\n", web_files::plotly_licence(),
+                                         web_files::plotly(), web_files::figures());
+    return SharedScripts{fmt::format("plots-{}.js", sha256(text).substr(0, 12)), text};
+  }();
+  return scripts;
 }
 
 }  // namespace artcal

@@ -8,7 +8,6 @@
 #include "app/report/drift.h"
 #include "app/report/identification_section.h"
 #include "app/report/numbers.h"
-#include "app/report/page.h"
 #include "app/report/provenance.h"
 #include "app/report/uncertainty_section.h"
 #include "app/report/verification_section.h"
@@ -64,7 +63,7 @@ std::string told_apart(const ReportedResult& result) {
 
 }  // namespace
 
-Expected<std::string> report_html(const std::vector<ReportedResult>& results) {
+Expected<std::string> report_html(const std::vector<ReportedResult>& results, Scripts plots) {
   const ReportedResult* current = nullptr;
   try {
     Sheet sheet;
@@ -91,7 +90,7 @@ Expected<std::string> report_html(const std::vector<ReportedResult>& results) {
     write_drift(results, sheet);
     write_provenance(results, sheet);
     const std::string body = html::element("main", sheet.markup());
-    return page_html({title, body, Json{{"figures", sheet.figures()}}, Scripts::Plots});
+    return page_html({title, body, Json{{"figures", sheet.figures()}}, plots});
   } catch (const std::exception&) {
     return bad_input(
         "this result lacks what every result of its kind has, or holds something else there; expected it as "

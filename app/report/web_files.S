@@ -12,6 +12,7 @@
 embed artcal_plotly, ARTCAL_PLOTLY_BUNDLE
 embed artcal_plotly_licence, ARTCAL_PLOTLY_LICENCE
 embed artcal_figures, ARTCAL_FIGURES
+embed artcal_missing, ARTCAL_MISSING
 embed artcal_sorting, ARTCAL_SORTING
 embed artcal_style, ARTCAL_STYLE
 

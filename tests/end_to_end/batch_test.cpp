@@ -57,12 +57,14 @@ TEST_F(Batch, TwoHundredRecordingsOfWhichTenAreBroken) {
   EXPECT_EQ(ended.exit_code, 3);
   const std::string page = text_of("index.html");
   EXPECT_EQ(count_of(page, "/recording.toml"), 200);
+  EXPECT_EQ(count_of(page, "<a href=\"index-reports/"), 190);
   const Json summary = Json::parse(text_of("summary.json"));
   EXPECT_EQ(summary["files"], 200);
   EXPECT_EQ(summary["identified"], 186);
   EXPECT_EQ(summary["verified"], 4);
   EXPECT_EQ(summary["not_shown"], 2);
   EXPECT_EQ(summary["failed"], 10);
+  EXPECT_EQ(summary["reports"], 190);
   for (std::size_t i = 0; i < broken.size(); ++i) {
     EXPECT_THAT(summary["failures"][i]["path"].get<std::string>(), HasSubstr(broken[i].first));
     EXPECT_THAT(summary["failures"][i]["error"].get<std::string>(), HasSubstr(broken[i].second));

@@ -17,13 +17,17 @@ struct Opened {
 };
 
 /// Pages in a Chromium without a window. Nothing of it stays: its profile is in the test's own folder.
-class BrowserTest : public ProgramTest {
+template <typename Base>
+class Browsing : public Base {
  protected:
   /// REQUIRES: Chromium is installed (cmake/packages.txt).
   [[nodiscard]] Opened open(const std::string& page, const std::vector<std::string>& options = {}) const {
+    return open_url("file://" + this->file(page).string(), options);
+  }
+  [[nodiscard]] Opened open_url(const std::string& url, const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments{"--dump-dom"};
     arguments.insert(arguments.end(), options.begin(), options.end());
-    const Ended ended = chromium(arguments, page);
+    const Ended ended = chromium(arguments, url);
     Opened opened{ended.out, {}};
     // What it says of its own speed is no complaint about the page.
     static const std::regex own("Canvas2D: Multiple readback|GL Driver Message");
@@ -39,26 +43,29 @@ class BrowserTest : public ProgramTest {
 
   /// Prints a page and returns pdfinfo's words about the PDF.
   [[nodiscard]] std::string print(const std::string& page) const {
-    const std::string pdf = file("printed.pdf").string();
-    const Ended ended = chromium({"--no-pdf-header-footer", "--print-to-pdf=" + pdf}, page);
+    const std::string pdf = this->file("printed.pdf").string();
+    const Ended ended =
+        chromium({"--no-pdf-header-footer", "--print-to-pdf=" + pdf}, "file://" + this->file(page).string());
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
-    return run_command({"pdfinfo", pdf}).out;
+    return this->run_command({"pdfinfo", pdf}).out;
   }
   /// The text on the pages of the PDF that was printed last.
   [[nodiscard]] std::string printed_text() const {
-    return run_command({"pdftotext", "-layout", file("printed.pdf").string(), "-"}).out;
+    return this->run_command({"pdftotext", "-layout", this->file("printed.pdf").string(), "-"}).out;
   }
 
  private:
-  [[nodiscard]] Ended chromium(std::vector<std::string> arguments, const std::string& page) const {
+  [[nodiscard]] Ended chromium(std::vector<std::string> arguments, const std::string& url) const {
     arguments.insert(arguments.begin(),
                      {"timeout", "120", "chromium", "--headless", "--no-sandbox", "--disable-dev-shm-usage",
                       "--enable-unsafe-swiftshader", "--host-resolver-rules=MAP * ~NOTFOUND", "--hide-scrollbars",
                       "--window-size=900,1200", "--virtual-time-budget=20000", "--enable-logging=stderr",
-                      "--user-data-dir=" + folder("browser").string()});
-    arguments.push_back("file://" + file(page).string());
-    return run_command(arguments);
+                      "--user-data-dir=" + this->folder("browser").string()});
+    arguments.push_back(url);
+    return this->run_command(arguments);
   }
 };
+
+using BrowserTest = Browsing<ProgramTest>;
 
 }  // namespace artcal::testing

@@ -33,10 +33,20 @@ TEST(BatchIndex, LinksLeadToFilesAndNowhereElse) {
   EXPECT_THAT(page, HasSubstr("href=\"reports/50%25%20%22off%22%231%3F.html\""));
 }
 
+TEST(BatchIndex, TheFolderOfAllIsSaidOnce) {
+  const std::string page = index_html("Night", {row("/data/<a>/arms/17/recording.toml", IndexOutcome::Done),
+                                                row("/data/<a>/arms/1/x", IndexOutcome::Done)});
+  EXPECT_THAT(page, HasSubstr("Recordings in /data/&lt;a&gt;/arms/<"));
+  EXPECT_THAT(page, HasSubstr(">17/recording.toml<"));
+  EXPECT_THAT(page, HasSubstr(">1/x<"));
+  EXPECT_THAT(index_html("Night", {row("/data/one/recording.toml", IndexOutcome::Done)}),
+              HasSubstr(">recording.toml<"));
+}
+
 TEST(BatchIndex, NamesStayText) {
   IndexRow hostile = row("<script>alert(1)</script>", IndexOutcome::Failed);
   hostile.arm = hostile.date = hostile.task = hostile.message = "\"><img src=x onerror=alert(2)>";
-  const std::string page = index_html("<script>alert(3)</script>", {hostile});
+  const std::string page = index_html("<script>alert(3)</script>", {hostile, row("other", IndexOutcome::Done)});
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, Not(HasSubstr("<img")));
   EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
