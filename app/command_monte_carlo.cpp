@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/recording_file.h"
+#include "app/identification_run.h"
 #include "app/monte_carlo_progress.h"
 #include "app/monte_carlo_result.h"
 #include "app/monte_carlo_state.h"
@@ -182,13 +183,6 @@ void MonteCarloRequest::add_to(CLI::App& parser) {
   flag->group(group);
 }
 
-bool has_joint_errors(const Arm& arm) {
-  const auto all = all_parameters(arm);
-  return std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
-    return parameter.is_joint_error() && value(arm, parameter) != 0.0;
-  });
-}
-
 Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const CommonOptions& common,
                                    const std::string& recording_path, const std::string& probe, std::uint64_t seed) {
   if (auto sound = check_request(request); !sound) {
@@ -210,12 +204,7 @@ Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const Commo
   if (!options) {
     return tl::unexpected(options.error());
   }
-  if (options->automatic || !options->model.empty() || has_joint_errors(recording->arm)) {
-    return wrong_usage(
-        "trials are made with the chain of Denavit and Hartenberg alone so far, not with harmonics, gains, gravity or "
-        "expansion of joints, of the model or of the arm's file");
-  }
-  options->leave_out = false;
+  options->leave_out = options->automatic;  // which chooses by it
   const auto monte_carlo_options = options_of(request, recording->arm, probe, seed);
   if (!monte_carlo_options) {
     return tl::unexpected(monte_carlo_options.error());
@@ -224,7 +213,7 @@ Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const Commo
   if (auto checked = check_outputs({common.json, state}, recording->inputs); !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto identification = identify(*recording, *constraints, *options);
+  const auto identification = run_identification(*recording, *constraints, *options);
   if (!identification) {
     return tl::unexpected(identification.error());
   }
@@ -237,7 +226,7 @@ Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const Commo
   if (!begun) {
     return tl::unexpected(begun.error());
   }
-  const auto made_from = made_from_json(*recording, *options, *monte_carlo_options);
+  const auto made_from = made_from_json(*recording, *options, *identification, *monte_carlo_options);
   auto count = earlier_count(request, *range, std::move(*begun), made_from);
   if (!count) {
     return tl::unexpected(count.error());
@@ -283,11 +272,9 @@ Expected<int> monte_carlo_and_tell(const MonteCarloRequest& request, const Commo
     return no_solution("stopped before there were two trials");
   }
   const bool complete = !signal.stop().load();
-  MonteCarloResult result{
-      *recording, *options, *identification,      *monte_carlo_options, range->wanted, monte_carlo->quantities(),
-      *count,     complete, constraints->warnings};
-  result.warnings.insert(result.warnings.begin(), recording->warnings.begin(), recording->warnings.end());
-  result.warnings.insert(result.warnings.end(), identification->warnings.begin(), identification->warnings.end());
+  const MonteCarloResult result{
+      *recording, *options, *identification, *monte_carlo_options, range->wanted, monte_carlo->quantities(),
+      *count,     complete};
   if (auto told = write_json(common.json, to_json(result)); !told) {
     return tl::unexpected(told.error());
   }

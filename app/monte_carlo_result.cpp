@@ -8,7 +8,9 @@
 
 #include "app/result_head.h"
 #include "app/result_json.h"
+#include "app/shown_unit.h"
 #include "app/table.h"
+#include "app/uncertainty_result.h"
 #include "app/version.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
@@ -39,7 +41,7 @@ Json interval_json(const std::optional<Interval>& interval) {
 Json quantity_json(const FollowedQuantity& quantity, const PropagatedQuantity& result) {
   return {{"kind", name_of(quantity.kind)},
           {"name", quantity.name},
-          {"unit", quantity.is_angle ? "rad" : "mm"},
+          {"unit", quantity.unit},
           {"estimate", quantity.estimate},
           {"u_first_order", quantity.u_linear ? Json(*quantity.u_linear) : Json(nullptr)},
           {"mean", result.mean},
@@ -58,13 +60,6 @@ Json noise_json(const Noise& noise) {
           {"probing_mm", number(noise.probing)}};
 }
 
-/// The unit that people read: mm, and degrees for angles.
-double shown(const FollowedQuantity& quantity, double value) {
-  return quantity.is_angle ? value / units::degree : value;
-}
-
-std::string digits(double value) { return fmt::format("{:.6f}", value); }
-
 std::string parameters_text(const MonteCarloResult& result, const std::vector<PropagatedQuantity>& summary) {
   Table table({"parameter", "unit", "identified", "u, first order", "u, Monte Carlo", "95 % from", "to"});
   for (std::size_t i = 0; i < summary.size(); ++i) {
@@ -72,12 +67,13 @@ std::string parameters_text(const MonteCarloResult& result, const std::vector<Pr
     if (quantity.kind != FollowedQuantity::Kind::Parameter) {
       continue;
     }
+    const ShownUnit unit = shown_unit(quantity.name, quantity.unit);
+    const auto digits = [&](double value) { return fmt::format("{:.{}f}", value / unit.size, unit.decimals); };
     const auto& interval = summary[i].symmetric;
-    table.add({quantity.name, quantity.is_angle ? "deg" : "mm", digits(shown(quantity, quantity.estimate)),
-               fmt::format("{:.2g}", shown(quantity, quantity.u_linear.value_or(0.0))),
-               fmt::format("{:.2g}{}", shown(quantity, summary[i].u), summary[i].differs_from_linear ? " !" : ""),
-               interval ? digits(shown(quantity, interval->low)) : "beyond",
-               interval ? digits(shown(quantity, interval->high)) : "beyond"});
+    table.add({quantity.name, unit.name, digits(quantity.estimate),
+               fmt::format("{:.2g}", quantity.u_linear.value_or(0.0) / unit.size),
+               fmt::format("{:.2g}{}", summary[i].u / unit.size, summary[i].differs_from_linear ? " !" : ""),
+               interval ? digits(interval->low) : "beyond", interval ? digits(interval->high) : "beyond"});
   }
   return table.text();
 }
@@ -156,7 +152,8 @@ std::string differing_text(const MonteCarloResult& result, const std::vector<Pro
 
 }  // namespace
 
-Json made_from_json(const Recording& recording, const IdentifyOptions& options, const MonteCarloOptions& monte_carlo) {
+Json made_from_json(const Recording& recording, const IdentifyOptions& options, const Identification& identification,
+                    const MonteCarloOptions& monte_carlo) {
   Json json;
   json["program"] = program_version;
   json["inputs"] = Json::array();
@@ -165,6 +162,7 @@ Json made_from_json(const Recording& recording, const IdentifyOptions& options, 
   }
   json["hold"] = options.hold;
   json["free"] = options.free;
+  json["model"] = model_text(identification.model);
   json["loss"] = name_of(options.loss);
   json["noise"] = noise_json(options.noise);
   json["u_temperature_K"] = monte_carlo.u_temperature;
@@ -181,11 +179,13 @@ Json to_json(const MonteCarloResult& result) {
   Json json = result_header(result.recording, "monte-carlo", result.monte_carlo.seed);
   json["options"] = {{"hold", result.options.hold},
                      {"free", result.options.free},
+                     {"model", result.options.automatic ? "auto" : model_text(result.options.model)},
                      {"loss", name_of(result.options.loss)},
                      {"noise", noise_json(result.options.noise)},
                      {"u_temperature_K", result.monte_carlo.u_temperature},
                      {"probe", result.recording.arm.probes[result.monte_carlo.measuring.probe].name},
                      {"digits", result.wanted.digits}};
+  json["model"] = model_text(result.identification.model);
   json["noise_mm"] = result.identification.noise;
   json["enlargement"] = result.identification.enlargement;
   json["trials"] = {{"first", result.count.first},
@@ -200,7 +200,7 @@ Json to_json(const MonteCarloResult& result) {
   for (std::size_t i = 0; i < summary.size(); ++i) {
     json["quantities"].push_back(quantity_json(result.quantities[i], summary[i]));
   }
-  json["warnings"] = result.warnings;
+  json["warnings"] = result.identification.warnings;
   return json;
 }
 
@@ -213,6 +213,13 @@ std::string to_text(const MonteCarloResult& result) {
       "{}\narm {}: identified {} times from readings and certificates drawn anew (seed {}); {} did not converge\n",
       at_most(60, result.recording.name), in_quotes(at_most(60, result.recording.arm.name)), made,
       result.monte_carlo.seed, result.count.not_converged);
+  if (result.options.automatic) {
+    text += fmt::format(
+        "model {}, which these readings chose: that they might have chosen another is in none of these numbers\n",
+        model_text(result.identification.model));
+  } else if (!result.identification.model.empty()) {
+    text += fmt::format("model {}\n", model_text(result.identification.model));
+  }
   if (!result.complete) {
     text += fmt::format("STOPPED after {} trials, before there were enough.\n", made);
   }
@@ -222,11 +229,11 @@ std::string to_text(const MonteCarloResult& result) {
                           "{} of {} quantities do not stand to {} significant digits of u yet; more trials would "
                           "help.\n",
                           open, summary.size(), result.wanted.digits);
-  for (const auto& warning : result.warnings) {
+  for (const auto& warning : result.identification.warnings) {
     text += fmt::format("Warning: {}.\n", warning);
   }
-  return text + "\n" + parameters_text(result, summary) + "\n" + measured_text(result, summary) + "\n" +
-         differing_text(result, summary);
+  return text + "\n" + parameters_text(result, summary) + "\n" + measured_text(result, summary) +
+         at_what_temperature(result.identification.arm) + "\n" + differing_text(result, summary);
 }
 
 }  // namespace artcal

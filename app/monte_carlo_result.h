@@ -20,7 +20,6 @@ struct MonteCarloResult {
   std::vector<FollowedQuantity> quantities;
   const MonteCarloCount& count;
   bool complete = true;
-  std::vector<std::string> warnings;
 
   [[nodiscard]] std::vector<PropagatedQuantity> summary() const {
     return artcal::summary(quantities, count, wanted.digits);
@@ -29,7 +28,7 @@ struct MonteCarloResult {
 
 /// What a count of trials is made from: where it differs, trials cannot be put together.
 nlohmann::ordered_json made_from_json(const Recording& recording, const IdentifyOptions& options,
-                                      const MonteCarloOptions& monte_carlo);
+                                      const Identification& identification, const MonteCarloOptions& monte_carlo);
 
 nlohmann::ordered_json to_json(const MonteCarloResult& result);
 std::string to_text(const MonteCarloResult& result);

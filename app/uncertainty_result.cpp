@@ -63,6 +63,12 @@ std::string noise_text(const UncertaintySources& sources) {
 
 }  // namespace
 
+std::string at_what_temperature(const Arm& arm) {
+  return expands(arm)
+             ? fmt::format("All of it with the arm at {:g} C, its reference temperature.\n", arm.reference_temperature)
+             : "";
+}
+
 Json to_json(const SurveyResult& result) {
   Json json = result_head("uncertainty");
   json["arm"] = result.file.arm.name;
@@ -91,10 +97,11 @@ std::string to_text(const SurveyResult& result) {
       "Standard uncertainty (k = 1, um) of what this arm measures, at random places and postures:\n\n{}\n"
       "Standard uncertainty of a point (um, all three coordinates together) over the working volume, in the base\n"
       "frame of this arm; mm, . = out of reach:\n\n{}\n"
-      "This is what the readings behind the arm and their noise leave open, to first order. Errors that the model\n"
-      "does not know (bending, eccentric encoders, warmth) come on top.\n",
+      "{}This is what the readings behind the arm and their noise leave open, to first order. Errors that its model\n"
+      "does not have (with the chain alone: bending, eccentric encoders, warmth) come on top.\n",
       in_quotes(at_most(60, result.file.arm.name)), result.sources.parameters.size(), noise_text(result.sources),
-      lengths_text(result.volume), map_text(result.volume, result.sampling.rings));
+      lengths_text(result.volume), map_text(result.volume, result.sampling.rings),
+      at_what_temperature(result.file.arm));
 }
 
 }  // namespace artcal

@@ -21,4 +21,7 @@ struct SurveyResult {
 nlohmann::ordered_json to_json(const SurveyResult& result);
 std::string to_text(const SurveyResult& result);
 
+/// A line that says how warm an arm is when it measures; empty for one that does not expand.
+std::string at_what_temperature(const Arm& arm);
+
 }  // namespace artcal

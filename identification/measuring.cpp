@@ -11,7 +11,7 @@
 #include "artefacts/postures.h"
 #include "artefacts/simulation/pattern.h"
 #include "fitting/fit.h"
-#include "identification/turned_sines.h"
+#include "identification/turned_joints.h"
 #include "identification/working_volume.h"
 
 namespace artcal {
@@ -146,13 +146,15 @@ Measuring::Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder
     : plan_(std::move(plan)), encoder_(encoder), probing_(probing) {
   const UncertainArm quiet = arm.without_noise();
   const auto keep = [&](const Eigen::VectorXd& q) {
-    auto& sines = sines_.emplace_back(2 * static_cast<std::size_t>(q.size()));
-    joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
+    Posture& posture = postures_.emplace_back();
+    posture.angles.assign(q.begin(), q.end());
+    posture.sines.resize(2 * posture.angles.size());
+    joint_sines(posture.angles, posture.sines);
     return arm.tip(q);
   };
   const auto add = [&](FollowedQuantity::Kind kind, std::string name, double value, std::optional<double> u) {
     const bool is_error = kind == FollowedQuantity::Kind::EUni || kind == FollowedQuantity::Kind::PSize;
-    quantities_.push_back({kind, std::move(name), false, is_error ? 0.0 : value, u});
+    quantities_.push_back({kind, std::move(name), "mm", is_error ? 0.0 : value, u});
     true_values_.push_back(is_error ? value : 0.0);
   };
   for (const auto& point : plan_.points) {
@@ -174,8 +176,9 @@ Measuring::Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder
     for (const auto& q : ball.q) {
       tips.push_back(keep(q));
     }
-    const double touched = 2.0 * (tips.front().in_base - ball.centre_in_base).norm();
-    add(FollowedQuantity::Kind::PSize, ball.name, touched, arm.of_diameter(tips, ball.centre_in_base));
+    const double touched = (tips.front().in_base - ball.centre_in_base).norm();
+    add(FollowedQuantity::Kind::PSize, ball.name, 2.0 * (touched - arm.arm().probes[plan_.probe].radius),
+        arm.of_diameter(tips, ball.centre_in_base));
   }
   for (const auto& articulation : plan_.articulations) {
     for (const auto& q : articulation.q) {
@@ -189,14 +192,15 @@ void Measuring::measure(const Arm& arm, RandomStream& random, double* values) co
   double* const first_value = values;
   const Sweep sweep(arm, {}, plan_.probe);
   std::size_t next = 0;
-  std::vector<double> sines;
-  const auto exact = [&] { return sweep.tip_in_base(sines_[next++]); };
+  const auto tip_of = [&](const Posture& posture) { return sweep.tip_in_base({posture.sines, posture.angles}); };
+  const auto exact = [&] { return tip_of(postures_[next++]); };
+  Posture noisy;
   const auto read = [&] {
-    sines = sines_[next++];
+    noisy = postures_[next++];
     if (encoder_ > 0.0) {
-      turn_sines(sines, encoder_, random);
+      turn_joints(noisy.angles, noisy.sines, encoder_, random);
     }
-    return Eigen::Vector3d(sweep.tip_in_base(sines) +
+    return Eigen::Vector3d(tip_of(noisy) +
                            probing_ * Eigen::Vector3d(random.normal(), random.normal(), random.normal()));
   };
   for (std::size_t i = 0; i < plan_.points.size(); ++i, values += 3) {
@@ -215,7 +219,7 @@ void Measuring::measure(const Arm& arm, RandomStream& random, double* values) co
       tip = read();
     }
     const auto sphere = fit<Sphere>(tips);
-    *values++ = sphere ? 2.0 * sphere->feature.radius : no_number;
+    *values++ = sphere ? 2.0 * (sphere->feature.radius - sweep.tip_radius()) : no_number;
   }
   for (std::size_t i = 0; i < plan_.articulations.size(); ++i) {
     Eigen::Matrix3Xd centres(3, orientations);

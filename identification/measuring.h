@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -65,17 +66,18 @@ struct FollowedQuantity {
     Coordinate,  ///< of a point in the base frame, without the noise of reading it
     Length,      ///< between two points, without the noise of reading them
     EUni,        ///< E_Uni of the same two points, each read once: length measured less the true one
-    PSize,       ///< P_Size: diameter of the least-squares sphere of 25 points read, less the true one
+    PSize,       ///< P_Size: diameter of a ball from the least-squares sphere of 25 points read, less the true one;
+                 ///< the tip's own diameter, as the arm has it, is taken off
     LDia,        ///< L_Dia: diameter of the minimum sphere around the centres from five orientations
   };
   Kind kind = Kind::Parameter;
   std::string name;
-  bool is_angle = false;
-  double estimate = 0.0;           ///< of the identified arm, mm or rad; of the last three 0
+  std::string_view unit = "mm";    ///< of all its numbers; of a parameter Parameter::unit()
+  double estimate = 0.0;           ///< of the identified arm; of the last three 0
   std::optional<double> u_linear;  ///< first order; absent for LDia, which is none
 };
 
-/// What an arm measures by a plan. Const: threads share it.
+/// What an arm measures by a plan, being at its reference temperature. Const: threads share it.
 class Measuring {
  public:
   Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder, double probing);
@@ -90,7 +92,11 @@ class Measuring {
   std::vector<FollowedQuantity> quantities_;
   std::vector<double> true_values_;  // that are taken off, a quantity each
   double encoder_, probing_;
-  std::vector<std::vector<double>> sines_;  // of all postures: points, both ends of lengths, balls, articulations
+  // Of all postures: points, both ends of lengths, balls, articulations.
+  struct Posture {
+    std::vector<double> angles, sines;
+  };
+  std::vector<Posture> postures_;
 };
 
 }  // namespace artcal

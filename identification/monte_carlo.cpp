@@ -158,7 +158,7 @@ Expected<MonteCarlo> MonteCarlo::prepare(const Recording& recording, const Const
   parts->measuring.emplace(std::move(*plan), uncertain, encoder, probing);
   for (const int index : identification.free) {
     const IdentifiedParameter& known = identification.parameters[index];
-    parts->quantities.push_back({FollowedQuantity::Kind::Parameter, known.parameter.name, known.parameter.is_angle(),
+    parts->quantities.push_back({FollowedQuantity::Kind::Parameter, known.parameter.name, known.parameter.unit(),
                                  value(parts->fit.arm, known.parameter), known.u});
   }
   const auto& measured = parts->measuring->quantities();
@@ -193,7 +193,9 @@ Expected<MonteCarloCount> MonteCarlo::begin(std::int64_t first) const {
     }
     const double mean = sum / converged;
     const double deviation = std::sqrt(std::max(0.0, squares / converged - mean * mean));
-    count.distributions.emplace_back(Ruler{from + mean, std::max(deviation, 1e-12)});
+    // What does not vary has a ruler too: 1e-12 mm, or what moves the tip by that.
+    const double unit = i < parts_->system.free.size() ? parts_->system.scale[static_cast<Eigen::Index>(i)] : 1.0;
+    count.distributions.emplace_back(Ruler{from + mean, std::max(deviation, 1e-12 * unit)});
   }
   return count;
 }

@@ -8,7 +8,7 @@
 #include "core/random.h"
 #include "core/statistics.h"
 #include "identification/certified_distances.h"
-#include "identification/turned_sines.h"
+#include "identification/turned_joints.h"
 
 namespace artcal {
 namespace {
@@ -50,8 +50,9 @@ void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
     }
   }
   if (spread_.encoder > 0.0) {
+    drawn_.joints = base_.joints;
     drawn_.sines = base_.sines;
-    turn_sines(drawn_.sines, factor * spread_.encoder, random);
+    turn_joints(drawn_.joints, drawn_.sines, factor * spread_.encoder, random);
   }
   for (std::size_t f = 0; f < constraints_.features.size(); ++f) {
     FeatureConstraint& feature = constraints_.features[f];

@@ -29,7 +29,11 @@ UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
 
 double UncertainArm::of_combination(std::span<const UncertainTip> tips,
                                     std::span<const Eigen::Vector3d> gradients) const {
-  Eigen::VectorXd by_parameter = Eigen::VectorXd::Zero(sources_.covariance.rows());
+  return of_combination(tips, gradients, Eigen::VectorXd::Zero(sources_.covariance.rows()));
+}
+
+double UncertainArm::of_combination(std::span<const UncertainTip> tips, std::span<const Eigen::Vector3d> gradients,
+                                    Eigen::VectorXd by_parameter) const {
   double of_readings = 0.0;
   for (std::size_t k = 0; k < tips.size(); ++k) {
     by_parameter += tips[k].by_parameter.transpose() * gradients[k];
@@ -62,7 +66,11 @@ double UncertainArm::of_diameter(std::span<const UncertainTip> tips, const Eigen
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     gradients.emplace_back(2.0 * answer(3, k) * rows.row(k).head<3>().transpose());
   }
-  return of_combination(tips, gradients);
+  Eigen::VectorXd by_parameter = Eigen::VectorXd::Zero(sources_.covariance.rows());
+  if (sweep_.radius_column() >= 0) {
+    by_parameter[sweep_.radius_column()] = -2.0;
+  }
+  return of_combination(tips, gradients, std::move(by_parameter));
 }
 
 }  // namespace artcal

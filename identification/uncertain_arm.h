@@ -44,8 +44,8 @@ class UncertainArm {
   [[nodiscard]] Eigen::Matrix3d of_point(const UncertainTip& tip) const;
   /// Standard uncertainty of the distance between two tips, mm. REQUIRES: they are apart.
   [[nodiscard]] double of_length(const UncertainTip& first, const UncertainTip& second) const;
-  /// Standard uncertainty of the diameter of the least-squares sphere through tips that touch a sphere with
-  /// this centre, mm. REQUIRES: four tips or more, not all in one plane.
+  /// Standard uncertainty of the diameter of a ball with this centre that the tips touch from outside: of their
+  /// least-squares sphere's, less the tip's own, mm. REQUIRES: four tips or more, not all in one plane.
   [[nodiscard]] double of_diameter(std::span<const UncertainTip> tips, const Eigen::Vector3d& centre_in_base) const;
 
   /// The same arm with readings that have no noise: what is left is the identification's.
@@ -55,6 +55,10 @@ class UncertainArm {
   [[nodiscard]] int probe() const { return probe_; }
 
  private:
+  // The same beside a change of the result by the parameters themselves.
+  [[nodiscard]] double of_combination(std::span<const UncertainTip> tips, std::span<const Eigen::Vector3d> gradients,
+                                      Eigen::VectorXd by_parameter) const;
+
   Arm arm_;
   UncertaintySources sources_;
   int probe_;

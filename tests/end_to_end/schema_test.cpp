@@ -177,7 +177,9 @@ TEST_F(ResultSchema, OfUncertainties) {
   take("ball-bar");
   ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--no-leave-out"}).exit_code, 0);
   check({"uncertainty", "arm.toml", "--json", "-", "--lengths", "5", "--rings", "2"}, "uncertainty_result");
-  check({"uncertainty", "ball-bar/recording.toml", "--monte-carlo", "--trials", "50", "--json", "-"}, "monte_carlo");
+  check({"uncertainty", "ball-bar/recording.toml", "--monte-carlo", "--trials", "50", "--model", "dh+gain", "--json",
+         "-"},
+        "monte_carlo");
 }
 
 TEST_F(ResultSchema, OfVerifications) {

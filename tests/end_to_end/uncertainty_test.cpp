@@ -1,5 +1,6 @@
 // `artcal uncertainty`: what it takes, and what it refuses.
 #include <csignal>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,19 @@ TEST_F(UncertaintyCommand, TakesTheNoiseThatIdentificationFound) {
   const Json doubled = result({"--probing-noise", "1 mm"});
   EXPECT_NEAR(doubled["lengths"][0]["u"]["rms_mm"], 1.41421, 1e-3);
   EXPECT_EQ(found["lengths"][0]["u_of_the_arm"], doubled["lengths"][0]["u_of_the_arm"]);
+}
+
+TEST_F(UncertaintyCommand, CountsAllParametersOfAModel) {
+  const double chain = result({})["lengths"][2]["u_of_the_arm"]["rms_mm"];
+  ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--model", "dh+eccentricity+gain",
+                 "--no-leave-out"})
+                .exit_code,
+            0);
+  const double all = result({})["lengths"][2]["u_of_the_arm"]["rms_mm"];
+  EXPECT_GT(all, 1.2 * chain);  // what more is asked of the same readings is told less well
+  EXPECT_LT(all, 3.0 * chain);
+  EXPECT_THAT(run({"uncertainty", "arm.toml", "--lengths", "5", "--rings", "2"}).out,
+              HasSubstr("39 identified parameters"));
 }
 
 TEST_F(UncertaintyCommand, SaysTheSameEveryTime) {
@@ -104,6 +118,55 @@ TEST_F(MonteCarloCommand, PutsShardsTogetherToTheSameBytes) {
   EXPECT_THAT(missing.err, HasSubstr("do not follow"));
   const Ended twice = made({"--trials", "130", "--merge", "1.json,1.json,2.json,3.json"});
   EXPECT_EQ(twice.exit_code, 3);
+}
+
+TEST_F(MonteCarloCommand, FollowsTheParametersOfAModelInTheirUnits) {
+  const std::vector<std::string> asked{"--model", "dh+eccentricity+gain", "--trials", "90"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), asked.begin(), asked.end());
+    return made(more);
+  };
+  const Ended told = with({"--threads", "1", "--json", "whole.json"});
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("model dh+eccentricity+gain\n"));
+  EXPECT_THAT(told.out, ::testing::ContainsRegex("cos_q3 +arcsec "));
+  EXPECT_THAT(told.out, ::testing::ContainsRegex("gain6 +ppm "));
+  const Json result = Json::parse(text_of("whole.json"));
+  EXPECT_EQ(result["model"], "dh+eccentricity+gain");
+  EXPECT_EQ(result["options"]["model"], "dh+eccentricity+gain");
+  std::map<std::string, Json> found;
+  for (const Json& quantity : result["quantities"]) {
+    if (quantity["kind"] == "parameter") found[quantity["name"]] = quantity;
+  }
+  EXPECT_EQ(found.size(), 21U + 12U + 6U);
+  EXPECT_EQ(found["sin_q2"]["unit"], "rad");
+  EXPECT_EQ(found["gain2"]["unit"], "rad/rad");
+  EXPECT_EQ(found["d2"]["unit"], "mm");
+  // The arm of the example has no such errors.
+  for (const char* name : {"sin_q2", "gain2"}) {
+    EXPECT_LT(std::abs(found[name]["mean"].get<double>()), 4.0 * found[name]["u"].get<double>()) << name;
+  }
+  ASSERT_EQ(with({"--shard", "1/2", "--state", "1.json", "--quiet"}).exit_code, 0);
+  ASSERT_EQ(with({"--shard", "2/2", "--state", "2.json", "--quiet"}).exit_code, 0);
+  EXPECT_EQ(with({"--merge", "1.json,2.json", "--json", "merged.json"}).exit_code, 0);
+  EXPECT_EQ(text_of("merged.json"), text_of("whole.json"));
+  const Ended other = made({"--trials", "90", "--merge", "1.json,2.json"});
+  EXPECT_EQ(other.exit_code, 3);
+  EXPECT_THAT(other.err, HasSubstr("with other options"));
+}
+
+TEST_F(MonteCarloCommand, TakesTheModelThatTheReadingsChoose) {
+  const Ended told = made({"--model", "auto", "--trials", "20", "--json", "auto.json"});
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("model dh, which these readings chose"));
+  const Json chosen = Json::parse(text_of("auto.json"));
+  EXPECT_EQ(chosen["model"], "dh");
+  EXPECT_EQ(chosen["options"]["model"], "auto");
+  ASSERT_EQ(made({"--trials", "20", "--json", "stated.json"}).exit_code, 0);
+  EXPECT_EQ(Json::parse(text_of("stated.json"))["quantities"], chosen["quantities"]);
+  const Ended refused = made({"--model", "dh+gravity", "--trials", "20"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("mass of its link"));
 }
 
 TEST_F(MonteCarloCommand, WritesWhatThereIsOnCtrlCAndGoesOnFromIt) {

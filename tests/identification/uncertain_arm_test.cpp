@@ -20,15 +20,28 @@
 namespace artcal {
 namespace {
 
+/// With errors in every joint.
+Arm erring_arm() {
+  Arm arm = test::gao_arm();
+  arm.probes.front().radius = 3.0;
+  for (Joint& joint : arm.joints) {
+    joint.mass = 1.5;
+    joint.errors = {{1e-3, 3e-4}, {-5e-4, 2e-4}, 2e-3, -1e-3, 4e-8, 2e-5};
+  }
+  arm.joints.front().errors.coupling = 0.0;
+  return arm;
+}
+
+/// Of everything that an arm has: chain, tip and its radius, joint errors.
 UncertaintySources sources_of(const Arm& arm) {
   UncertaintySources sources;
-  sources.parameters = parameters_of(arm);
+  sources.parameters = all_parameters(arm);
   const auto count = static_cast<Eigen::Index>(sources.parameters.size());
   RandomStream random(5, "covariance");
   Eigen::MatrixXd root(count, count);
   for (double& entry : root.reshaped()) entry = random.normal() / std::sqrt(static_cast<double>(count));
   for (Eigen::Index i = 0; i < count; ++i) {
-    root.row(i) *= sources.parameters[i].is_angle() ? 1e-5 : 0.01;
+    root.row(i) *= 0.01 * physical_scale(sources.parameters[i], 1000.0);
   }
   sources.covariance = root * root.transpose();
   sources.encoder = 4.0 * units::arcsecond;
@@ -52,10 +65,12 @@ class Draw {
   Eigen::Vector3d tip(const Eigen::VectorXd& q) {
     std::vector<double> joints(q.begin(), q.end());
     for (double& angle : joints) angle += sources_.encoder * random_.normal();
-    Eigen::Vector3d tip = testing::tip_in_base(arm_, joints, 0);
+    Eigen::Vector3d tip = testing::tip_with_errors(arm_, joints, 0, 0.0);
     for (double& coordinate : tip) coordinate += sources_.probing * random_.normal();
     return tip;
   }
+
+  [[nodiscard]] double tip_radius() const { return arm_.radii[0]; }
 
  private:
   RandomStream random_;
@@ -75,9 +90,9 @@ constexpr double tolerance = 0.025;  // five times the relative noise of a stand
 
 class UncertainArmTest : public ::testing::Test {
  protected:
-  Arm gao_ = test::gao_arm();
-  UncertaintySources sources_ = sources_of(gao_);
-  UncertainArm arm_{gao_, sources_};
+  Arm erring_ = erring_arm();
+  UncertaintySources sources_ = sources_of(erring_);
+  UncertainArm arm_{erring_, sources_};
 };
 
 TEST_F(UncertainArmTest, PointAndLengthAgreeWithMonteCarlo) {
@@ -87,7 +102,7 @@ TEST_F(UncertainArmTest, PointAndLengthAgreeWithMonteCarlo) {
   double square = 0.0;
   const double length = (second.in_base - first.in_base).norm();
   for (int trial = 0; trial < trials; ++trial) {
-    Draw draw(gao_, sources_, trial);
+    Draw draw(erring_, sources_, trial);
     const Eigen::Vector3d p = draw.tip(posture(0));
     const Eigen::Vector3d off = p - first.in_base;
     moment += off * off.transpose() / trials;
@@ -101,7 +116,7 @@ TEST_F(UncertainArmTest, EndsOfALengthAreCorrelated) {
   // Readings apart by next to nothing share the whole error of the parameters: only their noise is left.
   UncertaintySources silent = sources_;
   silent.encoder = silent.probing = 0.0;
-  const UncertainArm arm(gao_, silent);
+  const UncertainArm arm(erring_, silent);
   const auto here = arm.tip(posture(2));
   const auto near = arm.tip(posture(2) + Eigen::VectorXd::Constant(6, 1e-3));
   EXPECT_LT(arm.of_length(here, near), 0.01 * std::sqrt(arm.of_point(here).trace()));
@@ -113,7 +128,7 @@ TEST_F(UncertainArmTest, DiameterAgreesWithMonteCarlo) {
   std::vector<UncertainTip> tips;
   RandomStream random(13, "sphere");
   while (postures.size() < 25) {
-    if (const auto q = reach_point(gao_, 0, centre + 12.7 * random.direction(), posture(100 + postures.size()))) {
+    if (const auto q = reach_point(erring_, 0, centre + 15.7 * random.direction(), posture(100 + postures.size()))) {
       postures.push_back(*q);
       tips.push_back(arm_.tip(*q));
     }
@@ -121,12 +136,12 @@ TEST_F(UncertainArmTest, DiameterAgreesWithMonteCarlo) {
   constexpr int fits = 5000;
   double square = 0.0;
   for (int trial = 0; trial < fits; ++trial) {
-    Draw draw(gao_, sources_, trial);
+    Draw draw(erring_, sources_, trial);
     Eigen::Matrix3Xd points(3, 25);
     for (int k = 0; k < 25; ++k) points.col(k) = draw.tip(postures[k]);
     const auto fitted = fit<Sphere>(points);
     ASSERT_TRUE(fitted);
-    square += std::pow(2.0 * fitted->feature.radius - 25.4, 2) / fits;
+    square += std::pow(2.0 * (fitted->feature.radius - draw.tip_radius()) - 25.4, 2) / fits;
   }
   EXPECT_NEAR(arm_.of_diameter(tips, centre) / std::sqrt(square), 1.0, 2.0 * tolerance);
 }

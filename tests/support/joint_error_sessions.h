@@ -66,6 +66,28 @@ inline test::Bound bar_session(const Arm& nominal, const Arm& truth, std::uint64
   return test::bind(session.recording(), {bar});
 }
 
+/// A bar with three balls, diameters and distances certified, in six placements.
+inline test::Bound ball_session(const Arm& nominal, const Arm& truth, std::uint64_t seed, SessionNoise noise = {}) {
+  Artefact bar;
+  bar.name = "bar";
+  const double places[] = {0.0, 300.0, 750.0};
+  for (const char* name : {"A", "B", "C"}) {
+    bar.features.push_back(feature_of(name, FeatureKind::Sphere));
+    bar.features.back().radius = 12.7;
+  }
+  bar.distances = {{0, 1, 300.0, 4e-4}, {0, 2, 750.0, 4e-4}, {1, 2, 450.0, 4e-4}};
+  Session session(nominal, truth, seed, noise);
+  for (int p = 0; p < 6; ++p) {
+    const Rigid pose = session.pose();
+    const Eigen::Vector3d stand = session.random().direction();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector3d at = pose * Eigen::Vector3d(places[i], 0.0, 0.0);
+      session.read_ball("bar", std::to_string(p), bar.features[i].name, 20, at, 12.7, stand);
+    }
+  }
+  return test::bind(session.recording(), {bar});
+}
+
 inline IdentifyOptions options_for(const Model& model) {
   IdentifyOptions options;
   const SessionNoise noise;
