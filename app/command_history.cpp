@@ -4,6 +4,7 @@
 
 #include "app/command.h"
 #include "app/history/certificate_use.h"
+#include "app/history/history_page.h"
 #include "app/history/history_text.h"
 #include "app/output.h"
 #include "app/store/stored_text.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string arm, store, certificate;
+  std::string arm, store, certificate, report;
   bool all = false;
 };
 
@@ -45,6 +46,12 @@ Expected<int> tell(const Request& request) {
   if (!request.certificate.empty() && !request.common.json.empty()) {
     return wrong_usage("--json is for an arm's history; docs/store.md has the SQL for a certificate");
   }
+  if (!request.certificate.empty() && !request.report.empty()) {
+    return wrong_usage("--report is for an arm's history, not for that of a certificate");
+  }
+  if (auto checked = check_outputs({request.common.json, request.report}, {{request.store, ""}}); !checked) {
+    return tl::unexpected(checked.error());
+  }
   auto store = Store::open(request.store, Database::Access::Read);
   if (!store) {
     return tl::unexpected(store.error());
@@ -58,6 +65,11 @@ Expected<int> tell(const Request& request) {
   }
   if (auto written = write_json(request.common.json, to_json(*history)); !written) {
     return tl::unexpected(written.error());
+  }
+  if (!request.report.empty()) {
+    if (auto written = write_file(request.report, history_html(*history, store->name())); !written) {
+      return tl::unexpected(written.error());
+    }
   }
   if (request.common.talks()) {
     fmt::print("{}", to_text(*history, request.all));
@@ -76,6 +88,8 @@ Run set_up_history(CLI::App& parser) {
   parser
       .add_option("--certificate", request->certificate, "list every result that rests on this certificate, of any arm")
       ->type_name("NUMBER");
+  parser.add_option("--report", request->report, "write a page: what changed, with pictures over time")
+      ->type_name("FILE.html");
   parser.add_flag("--all", request->all, "list every change, not only the significant ones");
   request->common.add_to(parser);
   parser.footer(

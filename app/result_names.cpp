@@ -30,4 +30,22 @@ const char* result_name(ParameterState state) {
   return "identified";
 }
 
+Verdict verdict_named(std::string_view word) {
+  for (const Verdict verdict : {Verdict::Conforms, Verdict::DoesNotConform, Verdict::NothingProven}) {
+    if (word == result_name(verdict)) {
+      return verdict;
+    }
+  }
+  return Verdict::NotJudged;
+}
+
+Conclusion conclusion_named(std::string_view word) {
+  for (const Conclusion conclusion : {Conclusion::ConformityShown, Conclusion::NonConformityShown}) {
+    if (word == result_name(conclusion)) {
+      return conclusion;
+    }
+  }
+  return Conclusion::NotShown;
+}
+
 }  // namespace artcal

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "artefacts/verification/verification.h"
 #include "identification/identify.h"
 
@@ -9,5 +11,9 @@ namespace artcal {
 const char* result_name(Verdict verdict);
 const char* result_name(Conclusion conclusion);
 const char* result_name(ParameterState state);
+
+/// What such a word means; of any other, that nothing was judged or shown.
+Verdict verdict_named(std::string_view word);
+Conclusion conclusion_named(std::string_view word);
 
 }  // namespace artcal

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "app/result_names.h"
+
 namespace artcal {
 namespace {
 
@@ -31,8 +33,8 @@ IndexRow row_of(const StoreRow& row) {
   shown.recording = text_of(row[0]);
   const long long exit_code = std::get<long long>(row[1]);
   shown.outcome = exit_code == 0 ? IndexOutcome::Done : exit_code == 1 ? IndexOutcome::NotShown : IndexOutcome::Failed;
-  std::string conclusion = text_of(row[6]);
-  std::replace(conclusion.begin(), conclusion.end(), '_', ' ');
+  const std::string word = text_of(row[6]);
+  const std::string conclusion = word.empty() ? "" : text_of(conclusion_named(word));
   shown.message = text_of(row[2]).empty() ? conclusion : text_of(row[2]);
   shown.arm = text_of(row[3]);
   shown.date = text_of(row[4]);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/result_names.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -91,7 +93,8 @@ std::vector<TestValue> read_values(Reader& reader, const std::string& recording)
   for (const StoreRow& row : reader.rows(
            "SELECT quantity, artefact, placement, feature, other_feature, repetition, certified_mm, measured_mm, "
            "value_mm, "
-           "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, set_aside "
+           "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, set_aside, "
+           "limit_mm, verdict "
            "FROM verification_values WHERE recording = :v0 ORDER BY position",
            {recording})) {
     TestValue value;
@@ -107,6 +110,10 @@ std::vector<TestValue> read_values(Reader& reader, const std::string& recording)
     value.budget = {number_of(row[9]),  number_of(row[10]), number_of(row[11]),
                     number_of(row[12]), number_of(row[13]), number_of(row[14])};
     value.set_aside = std::get<long long>(row[15]) != 0;
+    if (const auto* limit = std::get_if<double>(&row[16])) {
+      value.limit = *limit;
+    }
+    value.verdict = verdict_named(text_of(row[17]));
     values.push_back(std::move(value));
   }
   return values;
@@ -128,6 +135,31 @@ void read_calibrations(Reader& reader, ArmHistory& history) {
     history.calibration_steps.back().then = i - 1;
     history.calibration_steps.back().now = i;
   }
+  for (std::size_t first = 0; first + 2 < history.calibrations.size(); ++first) {
+    CalibrationStep step = step_between(history.calibrations[first], history.calibrations.back());
+    if (step.not_comparable.empty()) {
+      step.then = first;
+      step.now = history.calibrations.size() - 1;
+      history.calibrations_overall = std::move(step);
+      break;
+    }
+  }
+}
+
+VerificationStep value_step(const std::vector<PastVerification>& all, std::size_t then, std::size_t now) {
+  VerificationStep step{then, now, compare(all[now].values, all[then].values), {}};
+  const auto& earlier = all[then].entry.certificates;
+  const auto& later = all[now].entry.certificates;
+  std::set_intersection(earlier.begin(), earlier.end(), later.begin(), later.end(), std::back_inserter(step.in_common));
+  return step;
+}
+
+std::map<std::string, std::vector<std::size_t>> by_standard(const std::vector<PastVerification>& all) {
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    places[all[i].standard].push_back(i);
+  }
+  return places;
 }
 
 void read_verifications(Reader& reader, ArmHistory& history) {
@@ -137,18 +169,15 @@ void read_verifications(Reader& reader, ArmHistory& history) {
                                "FROM current_recordings r JOIN verifications v ON v.recording = r.recording") +
                        in_order,
                    {history.arm})) {
-    all.push_back({read_entry(reader, row), text_of(row[3]), text_of(row[4]), read_values(reader, text_of(row[0]))});
+    all.push_back({read_entry(reader, row), text_of(row[3]), conclusion_named(text_of(row[4])),
+                   read_values(reader, text_of(row[0]))});
   }
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    for (std::size_t j = i; j-- > 0;) {
-      if (all[j].standard == all[i].standard) {
-        VerificationStep step{j, i, compare(all[i].values, all[j].values), {}};
-        const auto& then = all[j].entry.certificates;
-        const auto& now = all[i].entry.certificates;
-        std::set_intersection(then.begin(), then.end(), now.begin(), now.end(), std::back_inserter(step.in_common));
-        history.verification_steps.push_back(std::move(step));
-        break;
-      }
+  for (const auto& [standard, places] : by_standard(all)) {
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      history.verification_steps.push_back(value_step(all, places[i - 1], places[i]));
+    }
+    if (places.size() > 2) {
+      history.verifications_overall.push_back(value_step(all, places.front(), places.back()));
     }
   }
 }
@@ -162,6 +191,29 @@ std::string arms_in_words(Reader& reader) {
 }
 
 }  // namespace
+
+std::size_t VerificationStep::told() const {
+  return static_cast<std::size_t>(std::count_if(check.drifts.begin(), check.drifts.end(),
+                                                [](const Drift& drift) { return drift.degrees_of_freedom > 0; }));
+}
+
+std::size_t VerificationStep::significant() const {
+  return static_cast<std::size_t>(
+      std::count_if(check.drifts.begin(), check.drifts.end(), [](const Drift& drift) { return drift.significant; }));
+}
+
+std::string change_in_words(const VerificationStep& step) {
+  const std::size_t all = step.check.drifts.size(), told = step.told(), changed = step.significant();
+  if (all == 0) {
+    return "no value is in both";
+  }
+  if (told == 0) {
+    return "without repeats nothing can be called significant";
+  }
+  return (changed > 0 ? fmt::format("{} of {} values changed significantly", changed, told)
+                      : fmt::format("no significant change of {} values", told)) +
+         (told < all ? fmt::format("; {} that were not repeated are not judged", all - told) : "");
+}
 
 Expected<ArmHistory> read_history(Store& store, const std::string& arm) {
   Reader reader(store);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct Calibration {
 
 struct PastVerification {
   HistoryEntry entry;
-  std::string standard, conclusion;
+  std::string standard;
+  Conclusion conclusion = Conclusion::NotShown;
   std::vector<TestValue> values;  ///< with what compare() asks for
 };
 
@@ -64,7 +66,14 @@ struct VerificationStep {
   std::size_t then = 0, now = 0;  ///< into ArmHistory::verifications
   InterimCheck check;
   std::vector<std::string> in_common;
+
+  /// How many changes can be called significant or not: those of quantities that were repeated.
+  [[nodiscard]] std::size_t told() const;
+  [[nodiscard]] std::size_t significant() const;
 };
+
+/// "3 of 35 values changed significantly; 6 that were not repeated are not judged".
+std::string change_in_words(const VerificationStep& step);
 
 /// An arm over time, by the results that stand (docs/store.md), the oldest first; those without a date before all.
 struct ArmHistory {
@@ -73,6 +82,9 @@ struct ArmHistory {
   std::vector<PastVerification> verifications;
   std::vector<CalibrationStep> calibration_steps;
   std::vector<VerificationStep> verification_steps;
+  /// From the first to the last, where others lie between: a slow drift may be significant over all and in no step.
+  std::optional<CalibrationStep> calibrations_overall;  ///< from the first that is comparable with the last
+  std::vector<VerificationStep> verifications_overall;  ///< one a standard
 };
 
 /// Refused: an arm that no result of the store is of; the arms that there are, are named.

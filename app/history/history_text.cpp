@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "app/history/over_time.h"
+#include "app/shown_unit.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 
@@ -54,10 +56,8 @@ std::string largest_text(const std::vector<TestValue>& values) {
 std::string verifications_text(const ArmHistory& history) {
   Table table({"verification", "standard", "conclusion", "largest, mm", "certificates"});
   for (const PastVerification& verification : history.verifications) {
-    std::string conclusion = verification.conclusion;
-    std::replace(conclusion.begin(), conclusion.end(), '_', ' ');
-    table.add({date_of(verification.entry), verification.standard, conclusion, largest_text(verification.values),
-               listed(verification.entry.certificates)});
+    table.add({date_of(verification.entry), verification.standard, text_of(verification.conclusion),
+               largest_text(verification.values), listed(verification.entry.certificates)});
   }
   return table.text();
 }
@@ -76,32 +76,22 @@ std::string step_text(const ArmHistory& history, const CalibrationStep& step, bo
   for (const ParameterChange& change : step.changes) {
     if (all || change.significant) {
       any = true;
-      table.add({"  " + change.name, change.unit, fmt::format("{:.6f}", change.then), fmt::format("{:.6f}", change.now),
-                 fmt::format("{:+.2g}", change.now - change.then), fmt::format("{:.2g}", change.u),
-                 change.significant ? "beyond 2 u" : ""});
+      const ShownUnit as = shown_unit(change.name, change.unit);
+      table.add({"  " + change.name, as.name, fmt::format("{:.{}f}", change.then / as.size, as.decimals),
+                 fmt::format("{:.{}f}", change.now / as.size, as.decimals),
+                 fmt::format("{:+.2g}", (change.now - change.then) / as.size),
+                 fmt::format("{:.2g}", change.u / as.size), change.significant ? "beyond 2 u" : ""});
     }
   }
   text += any ? table.text() : "  No parameter by itself changed by more than 2 u.\n";
-  text += in_common_text(step.in_common);
-  if (!step.in_common.empty()) {
-    text +=
-        "  Their uncertainty is in both alike and mostly cancels in a change; here it is counted twice, so that the\n"
-        "  u of changes are rather too large: what is called significant is.\n";
-  }
-  return text;
+  return text + in_common_text(step.in_common);
 }
 
 std::string step_text(const ArmHistory& history, const VerificationStep& step, bool all) {
   const auto& drifts = step.check.drifts;
-  const auto significant =
-      std::count_if(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.significant; });
-  std::string text =
-      fmt::format("\n{} from {} to {}: {}\n", history.verifications[step.now].standard,
-                  date_of(history.verifications[step.then].entry), date_of(history.verifications[step.now].entry),
-                  drifts.empty()           ? "no value is in both"
-                  : !step.check.any_told() ? "without repeats nothing can be called significant"
-                  : significant > 0        ? fmt::format("{} of {} values CHANGED", significant, drifts.size())
-                                           : fmt::format("no significant change of {} values", drifts.size()));
+  std::string text = fmt::format("\n{} from {} to {}: {}\n", history.verifications[step.now].standard,
+                                 date_of(history.verifications[step.then].entry),
+                                 date_of(history.verifications[step.now].entry), change_in_words(step));
   Table table({"  value", "then mm", "now mm", "change mm", "u mm", ""});
   bool any = false;
   for (const Drift& drift : drifts) {
@@ -115,9 +105,27 @@ std::string step_text(const ArmHistory& history, const VerificationStep& step, b
                  drift.significant ? "significant" : ""});
     }
   }
-  return text + (any ? table.text() : "") + in_common_text(step.in_common) +
-         (step.in_common.empty() ? ""
-                                 : "  What its certified values are off by is in both alike and is left out of u.\n");
+  return text + (any ? table.text() : "") + in_common_text(step.in_common);
+}
+
+std::string worst_text(const ArmHistory& history) {
+  Table table({"  worst of a quantity", "when", "mm", "u (k = 1) mm", "limit mm", "verdict"});
+  bool any = false;
+  for (const WorstOverTime& worst : worst_over_time(history)) {
+    for (const auto& [verification, value] : worst.points) {
+      any = any || worst.points.size() > 1;
+      table.add({fmt::format("  {} {}", worst.standard, name_of(worst.quantity)),
+                 date_of(history.verifications[verification].entry), fmt::format("{:+.4f}", value->value),
+                 fmt::format("{:.4f}", value->budget.total()),
+                 value->limit ? fmt::format("{:.4f}", *value->limit) : std::string("none"), text_of(value->verdict)});
+    }
+  }
+  return any ? "\nValues over time\n" + table.text() : "";
+}
+
+template <typename Steps>
+bool any_in_common(const Steps& steps) {
+  return std::any_of(steps.begin(), steps.end(), [](const auto& step) { return !step.in_common.empty(); });
 }
 
 }  // namespace
@@ -130,11 +138,32 @@ std::string to_text(const ArmHistory& history, bool all) {
   if (!history.verifications.empty()) {
     text += (history.calibrations.empty() ? "" : "\n") + verifications_text(history);
   }
+  text += worst_text(history);
   for (const CalibrationStep& step : history.calibration_steps) {
     text += step_text(history, step, all);
   }
   for (const VerificationStep& step : history.verification_steps) {
     text += step_text(history, step, all);
+  }
+  if (history.calibrations_overall || !history.verifications_overall.empty()) {
+    text += "\nOver all, because a slow drift may be significant in no single step:\n";
+  }
+  if (history.calibrations_overall) {
+    text += step_text(history, *history.calibrations_overall, all);
+  }
+  for (const VerificationStep& step : history.verifications_overall) {
+    text += step_text(history, step, all);
+  }
+  if (any_in_common(history.calibration_steps)) {
+    text +=
+        "\nThe uncertainty of an artefact that two calibrations have in common mostly cancels in a change of "
+        "parameters; "
+        "here\nit is counted twice, so that the u of changes are rather too large: what is called significant is.\n";
+  }
+  if (any_in_common(history.verification_steps)) {
+    text +=
+        "\nWhat the certified values of an artefact in common are off by is the same in both verifications and is left "
+        "out of\nthe u of changes of values.\n";
   }
   return text;
 }

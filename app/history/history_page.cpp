@@ -1,0 +1,126 @@
+#include "app/history/history_page.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "app/history/drift_sections.h"
+#include "app/report/numbers.h"
+#include "app/report/page.h"
+#include "app/report/sheet.h"
+#include "app/version.h"
+
+namespace artcal {
+namespace {
+
+using namespace numbers;
+
+std::string date_of(const HistoryEntry& entry) { return entry.date.empty() ? "no date" : shown(entry.date); }
+
+std::string certificates_of(const HistoryEntry& entry) {
+  return entry.certificates.empty() ? "none" : fmt::format("{}", fmt::join(entry.certificates, "; "));
+}
+
+void write_calibration_verdict(const ArmHistory& history, Sheet& sheet) {
+  if (history.calibration_steps.empty()) {
+    return;
+  }
+  const CalibrationStep& last = history.calibration_steps.back();
+  const std::string since = date_of(history.calibrations[last.then].entry);
+  if (!last.not_comparable.empty()) {
+    sheet.verdict(Mood::Unsure, "Parameters: not comparable",
+                  fmt::format("Those of {} and of {} mean different things: {}.", since,
+                              date_of(history.calibrations[last.now].entry), last.not_comparable));
+    return;
+  }
+  const auto& overall = history.calibrations_overall;
+  const bool slowly = overall && overall->significant();
+  std::string text = last.significant() ? "" : fmt::format("No significant change since {}. ", since);
+  text +=
+      slowly ? fmt::format("Changed significantly since {}.", date_of(history.calibrations[overall->then].entry)) : "";
+  sheet.verdict(last.significant() || slowly ? Mood::Unsure : Mood::Good,
+                last.significant() ? fmt::format("⚠ Parameters changed since {}", since)
+                : slowly           ? "⚠ Parameters drift"
+                                   : "✓ Parameters have not changed",
+                text);
+}
+
+const VerificationStep* step_to(const std::vector<VerificationStep>& steps, std::size_t now) {
+  const auto found = std::find_if(steps.begin(), steps.end(), [&](const auto& step) { return step.now == now; });
+  return found == steps.end() ? nullptr : &*found;
+}
+
+std::string since_in_words(const ArmHistory& history, const VerificationStep& step) {
+  return fmt::format("Since {}: {}. ", date_of(history.verifications[step.then].entry), change_in_words(step));
+}
+
+void write_verification_verdict(const ArmHistory& history, std::size_t index, Sheet& sheet) {
+  const PastVerification& past = history.verifications[index];
+  const VerificationStep* last = step_to(history.verification_steps, index);
+  const VerificationStep* overall = step_to(history.verifications_overall, index);
+  const bool changed =
+      (last != nullptr && last->significant() > 0) || (overall != nullptr && overall->significant() > 0);
+  const char* sign = past.conclusion == Conclusion::NonConformityShown ? "✗"
+                     : past.conclusion == Conclusion::ConformityShown  ? "✓"
+                                                                       : "–";
+  sheet.verdict(past.conclusion == Conclusion::NonConformityShown            ? Mood::Bad
+                : past.conclusion == Conclusion::ConformityShown && !changed ? Mood::Good
+                                                                             : Mood::Unsure,
+                fmt::format("{} {}, {}: {}", sign, shown(past.standard), date_of(past.entry), text_of(past.conclusion)),
+                (last != nullptr ? since_in_words(history, *last) : "") +
+                    (overall != nullptr ? since_in_words(history, *overall) : ""));
+}
+
+void write_verdicts(const ArmHistory& history, Sheet& sheet) {
+  write_calibration_verdict(history, sheet);
+  for (std::size_t i = 0; i < history.verifications.size(); ++i) {
+    const bool is_last = std::none_of(
+        history.verifications.begin() + static_cast<std::ptrdiff_t>(i) + 1, history.verifications.end(),
+        [&](const PastVerification& later) { return later.standard == history.verifications[i].standard; });
+    if (is_last) {
+      write_verification_verdict(history, i, sheet);
+    }
+  }
+}
+
+void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
+  html::Table calibrations("Identifications, rms in mm", {{"date", false, true, true},
+                                                          {"recording", false},
+                                                          {"before"},
+                                                          {"after"},
+                                                          {"artefacts and certificates", false}});
+  for (const Calibration& calibration : history.calibrations) {
+    calibrations.add({date_of(calibration.entry), shown(calibration.entry.name), mm(calibration.rms_before),
+                      mm(calibration.rms_after), certificates_of(calibration.entry)});
+  }
+  html::Table verifications("Verifications", {{"date", false, true, true},
+                                              {"recording", false},
+                                              {"standard", false},
+                                              {"conclusion", false},
+                                              {"artefacts and certificates", false}});
+  for (const PastVerification& past : history.verifications) {
+    verifications.add({date_of(past.entry), shown(past.entry.name), shown(past.standard), text_of(past.conclusion),
+                       certificates_of(past.entry)});
+  }
+  sheet.section("What was done");
+  sheet.table(calibrations);
+  sheet.table(verifications);
+}
+
+}  // namespace
+
+std::string history_html(const ArmHistory& history, const std::string& store) {
+  Sheet sheet;
+  const std::string title = "History: " + shown(history.arm);
+  sheet.title(title);
+  write_verdicts(history, sheet);
+  write_parameter_drift(history, sheet);
+  write_value_drift(history, sheet);
+  write_what_was_done(history, sheet);
+  sheet.note(fmt::format("From the store {} by artcal {}: the results that stand, of files as they are now.",
+                         shown(store), program_version));
+  return page_html({title, html::element("main", sheet.markup()), nlohmann::ordered_json{{"figures", sheet.figures()}},
+                    Scripts::Plots});
+}
+
+}  // namespace artcal
