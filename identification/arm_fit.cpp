@@ -13,7 +13,8 @@ namespace artcal {
 namespace {
 
 constexpr int max_rounds = 20;
-constexpr double noise_stands = 1e-4;  // relative change at which the noise has settled
+constexpr double noise_stands = 1e-4;        // relative change at which the noise has settled
+constexpr double good_for_the_noise = 1e-4;  // mm a step moves; the rounds that follow go on from there
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
 constexpr double least_noise = 1e-9;  // mm
 
@@ -58,7 +59,8 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   for (bool standing = false; !standing && fit.rounds < max_rounds;) {
     // Until the noise is known a robust loss would not know what is far.
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
-    const SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations};
+    const SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations,
+                             noise_is_known ? options.still : good_for_the_noise};
     Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
                               fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
     ++fit.rounds;

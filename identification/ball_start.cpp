@@ -30,11 +30,40 @@ struct Fitted {
   double squares = 0.0;
 };
 
-// Gauss-Newton on |p − c| = ρ + addend, the addend free or not.
-std::optional<Fitted> refine(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size, Ball ball,
-                             bool addend_is_free) {
-  const Eigen::Index unknowns = addend_is_free ? 4 : 3;
-  Eigen::MatrixXd slope(p.cols(), unknowns);
+// Gauss-Newton on |p − c| = ρ by normal equations: directions that span space are well enough conditioned for them,
+// and a step's own rounding is gone with the next. This is where an identification without a start spends its time.
+std::optional<Fitted> refine_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size,
+                                    Eigen::Vector3d centre) {
+  double squares = 0.0;
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    squares = 0.0;
+    for (Eigen::Index i = 0; i < p.cols(); ++i) {
+      const Eigen::Vector3d away = centre - p.col(i);
+      const double length = away.norm();
+      if (!(length > 0.0)) {
+        return std::nullopt;
+      }
+      const Eigen::Vector3d outwards = away / length;
+      const double miss = rho[i] - length;
+      normal.noalias() += outwards * outwards.transpose();
+      gradient += miss * outwards;
+      squares += miss * miss;
+    }
+    const Eigen::Vector3d step = normal.ldlt().solve(gradient);
+    centre += step;
+    if (step.norm() <= 1e-13 * (size + centre.norm())) {
+      break;
+    }
+  }
+  return Fitted{{centre, 0.0}, squares};
+}
+
+// The same with an addend to all ρ that is found as well. A cap tells it and the centre badly apart: QR.
+std::optional<Fitted> refine_ball(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size, Ball ball) {
+  Eigen::MatrixX4d slope(p.cols(), 4);
+  slope.col(3).setConstant(-1.0);
   Eigen::VectorXd miss;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::Matrix3Xd away = (-p).colwise() + ball.centre;
@@ -43,11 +72,10 @@ std::optional<Fitted> refine(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& r
       return std::nullopt;
     }
     slope.leftCols<3>() = away.transpose().array().colwise() / length.array();
-    slope.rightCols(unknowns - 3).setConstant(-1.0);
     miss = (rho - length).array() + ball.radius;
-    const Eigen::VectorXd step = slope.colPivHouseholderQr().solve(miss);
+    const Eigen::Vector4d step = slope.colPivHouseholderQr().solve(miss);
     ball.centre += step.head<3>();
-    ball.radius += addend_is_free ? step[3] : 0.0;
+    ball.radius += step[3];
     if (step.norm() <= 1e-13 * (size + ball.centre.norm())) {
       break;
     }
@@ -73,7 +101,7 @@ std::optional<Ball> best_fit(const Eigen::Matrix3Xd& points, const Eigen::Vector
   }
   std::optional<Fitted> best;
   for (const Eigen::Vector3d& centre : starts) {
-    const auto fit = refine(p, rho, size, {centre, 0.0}, addend_is_free);
+    const auto fit = addend_is_free ? refine_ball(p, rho, size, {centre, 0.0}) : refine_centre(p, rho, size, centre);
     // The first stays unless another is clearly better, so that the digits do not depend on rounding.
     if (fit && (!best || fit->squares < (1.0 - 1e-6) * best->squares)) {
       best = fit;

@@ -44,7 +44,7 @@ Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns
 
 /// Where an arm has one feature by its own readings alone, whatever its artefact says of the others.
 struct Measured {
-  Eigen::Vector3d point_in_base;  ///< of a point or centre
+  Eigen::Vector3d point_in_base;  ///< a point or centre; of a plane, the middle of the tips
   double height = 0.0;            ///< of a plane along its group's axis
 };
 
@@ -56,7 +56,7 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
     const PlaneAxis axis(group.reference, group.values.data());
     const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
     measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
-  } else if (feature.demand != Demand::Coincide) {
+  } else if (feature.demand == Demand::OnBall || feature.demand == Demand::AtDistance) {
     // Readings that do not determine a centre leave it where the artefact has it.
     measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))
                                  .value_or(certified_point(feature, unknowns));
@@ -64,11 +64,8 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
   return measured;
 }
 
-double measured_length(const Tips& first, const Tips& second, const Unknowns& unknowns) {
-  const Measured from = measure(first, unknowns);
-  const Measured to = measure(second, unknowns);
-  return first.feature->demand == Demand::OnPlane ? std::abs(to.height - from.height)
-                                                  : (to.point_in_base - from.point_in_base).norm();
+double length_between(const Measured& from, const Measured& to, Demand demand) {
+  return demand == Demand::OnPlane ? std::abs(to.height - from.height) : (to.point_in_base - from.point_in_base).norm();
 }
 
 }  // namespace
@@ -84,24 +81,23 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   std::map<std::pair<int, int>, Sum> placements;
   std::map<int, Sum> artefacts;
   Sum overall;
+  std::vector<Measured> measured;
   for (const auto& feature : constraints.features) {
     const GroupState none;
     const GroupState& group = feature.group < 0 ? none : unknowns->groups[feature.group];
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns->shared.data());
+    const Tips tips = tips_of(system, feature, sweeps);
     Sum sum;
     for (int k = 0; k < feature.size(); ++k) {
-      const int reading = feature.readings[k];
-      const Sweep& sweep = sweeps[system.probes[reading]];
-      const Eigen::Vector3d tip = sweep.tip_in_base(system.sines_of(reading));
-      const Residual r = residual.at(k, tip, sweep.tip_radius(), true);
+      const Eigen::Vector3d tip = tips.centres.col(k);
+      const Residual r = residual.at(k, tip, tips.radii[k], true);
       evaluation.deviations.push_back(r.rows == 1 ? r.value[0] : r.value.norm());
       evaluation.tips.push_back(tip);
       evaluation.offsets.push_back(r.by_tip.topRows(r.rows).transpose() * r.value.head(r.rows));
       sum.add(evaluation.deviations.back());
     }
-    const Tips tips = tips_of(system, feature, sweeps);
-    evaluation.points.push_back(feature.demand == Demand::OnPlane ? Eigen::Vector3d(tips.centres.rowwise().mean())
-                                                                  : measure(tips, *unknowns).point_in_base);
+    measured.push_back(measure(tips, *unknowns));
+    evaluation.points.push_back(measured.back().point_in_base);
     evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
     placements[{feature.artefact, feature.placement}].add(sum);
     artefacts[feature.artefact].add(sum);
@@ -118,7 +114,7 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   for (const auto& distance : constraints.distances) {
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
-    const double length = measured_length(tips_of(system, first, sweeps), tips_of(system, second, sweeps), *unknowns);
+    const double length = length_between(measured[distance.first], measured[distance.second], first.demand);
     evaluation.lengths.push_back({name_of(first, constraints, recording),
                                   name_of(second, constraints, recording).feature, distance.value,
                                   length - distance.value});

@@ -1,13 +1,15 @@
 #include "identification/near_the_balls.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "identification/coupling.h"
-#include "identification/evaluation.h"
 #include "identification/problem.h"
+#include "identification/residual.h"
 #include "identification/settle.h"
+#include "identification/tips.h"
 #include "identification/weights.h"
 
 namespace artcal {
@@ -27,6 +29,7 @@ constexpr Bound any_ball{1.1, false};
 // side.
 constexpr double rounds[] = {3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.3};
 constexpr int iterations = 25;
+constexpr double near_enough = 0.01;  // mm; the identification that follows takes it from there
 
 /// An arm, and how many balls it does not see yet.
 struct Near {
@@ -34,22 +37,40 @@ struct Near {
   int unseen = std::numeric_limits<int>::max();
 };
 
-// Balls whose readings, evaluated as `evaluated` takes them, are beyond the bound.
-int count_beyond(const Bound& bound, const Recording& recording, const Constraints& constraints,
-                 const Constraints& evaluated, const Arm& arm) {
-  const auto evaluation = evaluate(recording, evaluated, arm);
-  if (!evaluation) {
-    return std::numeric_limits<int>::max();
+double rms_of(const Tips& tips, const Unknowns& unknowns) {
+  const FeatureConstraint& feature = *tips.feature;
+  const GroupState none;
+  const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+  const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
+  double squares = 0.0;
+  for (int k = 0; k < feature.size(); ++k) {
+    const Residual r = residual.at(k, tips.centres.col(k), tips.radii[k], false);
+    squares += r.value.head(r.rows).squaredNorm();
   }
+  return std::sqrt(squares / feature.size());
+}
+
+// Balls of `constraints` whose readings are beyond the bound when the features are taken as the system takes them.
+int count_beyond(const Bound& bound, const System& system, const Constraints& constraints, const Arm& arm,
+                 const Unknowns& unknowns) {
+  const auto sweeps = sweeps_of(system, arm);
   int count = 0;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    const double radius = feature.radius + arm.probes[recording.readings[feature.readings.front()].probe].radius;
-    const bool asked = feature.demand == Demand::OnBall && (feature.radius > 0.0 || bound.without_certified);
-    const bool within = evaluation->features[f].rms < bound.share * radius;
-    count += asked && !within ? 1 : 0;
+    if (feature.demand == Demand::OnBall && (feature.radius > 0.0 || bound.without_certified)) {
+      const Tips tips = tips_of(system, system.constraints->features[f], sweeps);
+      const bool within = rms_of(tips, unknowns) < bound.share * (feature.radius + tips.radii[0]);
+      count += within ? 0 : 1;
+    }
   }
   return count;
+}
+
+int count_beyond(const Bound& bound, const Recording& recording, const Constraints& constraints,
+                 const Constraints& taken_as, const Arm& arm) {
+  const System system = make_system(recording, taken_as, arm, {});
+  const auto unknowns = settle(system, arm, recording);
+  return unknowns ? count_beyond(bound, system, constraints, arm, *unknowns) : std::numeric_limits<int>::max();
 }
 
 // The free parameters that these constraints tell at this arm; nothing where the analysis finds no solution.
@@ -73,9 +94,23 @@ std::optional<Arm> fitted_to_points(const Recording& recording, const Constraint
   if (!unknowns) {
     return std::nullopt;
   }
-  const Solution solution =
-      solve(system, unit_weights(points), Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
+  const Solution solution = solve(system, unit_weights(points), Eigen::VectorXd::Zero(system.arm_size()),
+                                  std::move(*unknowns), {Loss::None, 100, near_enough});
   return solution.termination == Termination::Failed ? std::nullopt : std::optional(system.arm_at(solution.x.data()));
+}
+
+// Readings count by what is far off, and what is certified by no more than the readings on it: held to a micrometre,
+// more distances than the centres on a line need are a valley that is flat across and takes twice the steps.
+Weights weights_of(const Constraints& constraints, double far_off) {
+  Weights weights = uniform_weights(constraints, far_off);
+  const Weights unit = unit_weights(constraints);
+  for (std::size_t d = 0; d < weights.distances.size(); ++d) {
+    weights.distances[d] = std::min(weights.distances[d], unit.distances[d] / far_off);
+  }
+  for (std::size_t s = 0; s < weights.shared.size(); ++s) {
+    weights.shared[s] = std::min(weights.shared[s], unit.shared[s] / far_off);
+  }
+  return weights;
 }
 
 // Fits with a loss that lets go of balls on the wrong side, and settles these anew, until all are seen.
@@ -83,23 +118,26 @@ Near approach(const Recording& recording, const Constraints& constraints, const 
               const Selection& selection) {
   const auto free = told(recording, constraints, start, selection);
   Near near{start};
+  if (!free) {
+    return near;
+  }
+  const System system = make_system(recording, constraints, start, *free);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.arm_size());
+  auto unknowns = settle(system, start, recording);
   for (const double far_off : rounds) {
-    if (!free || near.unseen == 0) {
+    if (!unknowns || near.unseen == 0) {
       break;
     }
-    const System system = make_system(recording, constraints, near.arm, *free);
-    auto unknowns = settle(system, near.arm, recording);
-    if (!unknowns) {
-      break;
-    }
-    const Solution solution =
-        solve(system, uniform_weights(constraints, far_off), Eigen::VectorXd::Zero(system.arm_size()),
-              std::move(*unknowns), {Loss::Cauchy, iterations});
+    const Solution solution = solve(system, weights_of(constraints, far_off), x, std::move(*unknowns),
+                                    {Loss::Cauchy, iterations, near_enough});
     if (solution.termination == Termination::Failed) {
       break;
     }
-    near.arm = system.arm_at(solution.x.data());
-    near.unseen = count_beyond(round_enough, recording, constraints, constraints, near.arm);
+    x = solution.x;
+    near.arm = system.arm_at(x.data());
+    unknowns = settle(system, near.arm, recording);
+    near.unseen = unknowns ? count_beyond(round_enough, system, constraints, near.arm, *unknowns)
+                           : std::numeric_limits<int>::max();
   }
   return near;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <ceres/ceres.h>
+#include <fmt/format.h>
 
 #include "identification/rows.h"
 
@@ -72,14 +73,18 @@ class BlockCost final : public ceres::CostFunction {
   Eigen::MatrixXd& triangle_;  // the last one evaluated: at the end, the solution's
 };
 
-/// Stops where a step moves nothing that matters: a nanometre, in the solver's physical units. Ceres' own
-/// tolerances are relative to the parameters' norm, or to a cost that has come down to its rounding.
+/// Stops where a step moves nothing that matters, in the solver's physical units. Ceres' own tolerances are relative to
+/// the parameters' norm, or to a cost that has come down to its rounding.
 class StopWhenStill final : public ceres::IterationCallback {
  public:
+  explicit StopWhenStill(double still) : still_(still) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    const bool still = summary.iteration > 0 && summary.step_norm < 1e-6;
-    return still ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    const bool is_still = summary.iteration > 0 && summary.step_norm < still_;
+    return is_still ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
+
+ private:
+  double still_;
 };
 
 ceres::Solver::Options solver_options(const SolveOptions& options) {
@@ -148,7 +153,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   solution.linearisation.triangles.resize(blocks.size());
   ceres::Problem problem;
   ceres::Solver::Options ceres_options = solver_options(options);
-  StopWhenStill stop_when_still;
+  StopWhenStill stop_when_still(options.still);
   ceres_options.callbacks.push_back(&stop_when_still);
   ceres_options.linear_solver_type = ceres::DENSE_QR;
   if (blocks.size() > 1) {
@@ -176,8 +181,9 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   solution.iterations = static_cast<int>(summary.iterations.size()) - 1;
   solution.initial_cost = summary.initial_cost;
   solution.final_cost = summary.final_cost;
-  solution.message =
-      summary.termination_type == ceres::USER_SUCCESS ? "the last step moved nothing by a nanometre" : summary.message;
+  solution.message = summary.termination_type == ceres::USER_SUCCESS
+                         ? fmt::format("the last step moved nothing by {:g} mm", options.still)
+                         : summary.message;
   return solution;
 }
 

@@ -11,6 +11,7 @@ namespace artcal {
 struct SolveOptions {
   Loss loss = Loss::None;
   int max_iterations = 100;
+  double still = 1e-6;  ///< a step that moves nothing by more ends it, mm
 };
 
 /// How a solve ended. Only Converged leaves numbers that may be used.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identification/arm_fit.h"
+#include "identification/effect_columns.h"
+
+namespace artcal {
+
+/// The residuals and the effects' columns with all that was fitted projected out.
+struct Searched {
+  Eigen::MatrixXd columns;  ///< each of length one, or zero where nothing of it is left
+  Eigen::VectorXd lengths;  ///< that they had
+  Eigen::VectorXd residuals;
+  double degrees_of_freedom = 0.0;
+  int readings = 0;
+  Eigen::MatrixXd turnings;  ///< readings × columns: what each does to its joint
+  /// Mean over the readings of the squared motion of the tip, mm²: of each family its own columns' block.
+  Eigen::MatrixXd tip_covariance;
+};
+
+/// Of many readings so many are looked at, evenly taken.
+inline constexpr int most_searched_readings = 4000;
+/// Share of a column that the fitted model must leave if anything is to be said of it.
+inline constexpr double least_seen = 1e-6;
+
+/// `system` is make_system() at the arm of the fit.
+Searched project_out_the_fit(const System& system, const ArmFit& fit, const EffectColumns& effects);
+
+}  // namespace artcal
