@@ -16,6 +16,7 @@
 #include "app/batch/summary_text.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/store/where.h"
 
 namespace artcal {
 namespace {
@@ -68,7 +69,9 @@ Expected<int> run_and_tell(const Request& request) {
   if (!files) {
     return tl::unexpected(files.error());
   }
-  if (auto checked = check_outputs({request.common.json, request.store, request.report}, as_inputs(*files)); !checked) {
+  if (auto checked =
+          check_outputs({request.common.json, file_of_store(request.store), request.report}, as_inputs(*files));
+      !checked) {
     return tl::unexpected(checked.error());
   }
   files = part_of(*files, shard->index, shard->count);
@@ -95,14 +98,14 @@ Expected<int> run_and_tell(const Request& request) {
   if (!summary) {
     return tl::unexpected(summary.error());
   }
+  if (request.common.talks()) {
+    fmt::print("{}", to_text(*summary, store->name()));
+  }
   if (auto written = write_json(request.common.json, to_json(*summary, store->name())); !written) {
     return tl::unexpected(written.error());
   }
   if (auto written = write_index(request, *store, *files, *summary, asked.pages); !written) {
     return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(*summary, store->name()));
   }
   return summary->exit_code;
 }

@@ -8,6 +8,7 @@
 #include "app/history/history_text.h"
 #include "app/output.h"
 #include "app/store/stored_text.h"
+#include "app/store/where.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 
@@ -49,7 +50,8 @@ Expected<int> tell(const Request& request) {
   if (!request.certificate.empty() && !request.report.empty()) {
     return wrong_usage("--report is for an arm's history, not for that of a certificate");
   }
-  if (auto checked = check_outputs({request.common.json, request.report}, {{request.store, ""}}); !checked) {
+  if (auto checked = check_outputs({request.common.json, request.report}, {{file_of_store(request.store), ""}});
+      !checked) {
     return tl::unexpected(checked.error());
   }
   auto store = Store::open(request.store, Database::Access::Read);

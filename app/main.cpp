@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -35,13 +36,15 @@ constexpr std::array commands{
 constexpr int wrong_usage = 2;
 constexpr int bad_input = 3;
 
-// A full disk or a closed pipe shows only when the last of the output is flushed.
-int said_all(int exit_code) {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
-    return exit_code;
-  }
+int not_all_said() {
   fmt::print(stderr, "artcal: standard output cannot be written\n");
   return bad_input;
+}
+
+// A full disk or a closed pipe shows only when the last of the output is flushed.
+int said_all(int exit_code) {
+  std::cout.flush();  // CLI11 tells its help there
+  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? exit_code : not_all_said();
 }
 
 int run(int argc, char** argv) {
@@ -62,7 +65,7 @@ int run(int argc, char** argv) {
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return parser.exit(error) == 0 ? 0 : wrong_usage;
+    return said_all(parser.exit(error) == 0 ? 0 : wrong_usage);
   }
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (parser.got_subcommand(commands[i].name)) {
@@ -82,6 +85,9 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "artcal: there is not enough memory for this input\n");
   } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) {  // fmt throws where a long text cannot be written
+      return not_all_said();
+    }
     fmt::print(stderr, "artcal: internal error: {}\n", error.what());
   }
   return bad_input;

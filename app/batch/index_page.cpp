@@ -62,11 +62,14 @@ void add_page(IndexRow& row, const std::string& recording, const ReportPages* pa
 Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::string>& files,
                                            const ReportPages* pages,
                                            const std::map<std::string, std::string>& page_errors) {
-  const auto found = store.rows(query);
-  const auto warnings = found ? store.rows(warnings_query) : found;
-  const auto shares = warnings ? store.rows(shares_query) : warnings;
-  if (!shares) {
-    return tl::unexpected(shares.error());
+  Expected<std::vector<StoreRow>> found, warnings, shares;
+  const auto whole = store.in_snapshot([&] {
+    found = store.rows(query);
+    warnings = found ? store.rows(warnings_query) : found;
+    shares = warnings ? store.rows(shares_query) : warnings;
+  });
+  if (!whole || !shares) {
+    return tl::unexpected(whole ? shares.error() : whole.error());
   }
   std::map<std::string, int> warnings_of;
   for (const StoreRow& row : *warnings) {

@@ -219,8 +219,13 @@ Expected<ArmHistory> read_history(Store& store, const std::string& arm) {
   Reader reader(store);
   ArmHistory history;
   history.arm = arm;
-  read_calibrations(reader, history);
-  read_verifications(reader, history);
+  const auto whole = store.in_snapshot([&] {
+    read_calibrations(reader, history);
+    read_verifications(reader, history);
+  });
+  if (!whole) {
+    return tl::unexpected(whole.error());
+  }
   if (history.calibrations.empty() && history.verifications.empty() && !reader.error()) {
     return bad_input(
         fmt::format("no result is of an arm called {}; the store has {}", in_quotes(arm), arms_in_words(reader)),

@@ -1,5 +1,9 @@
 #include "app/store/database.h"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -100,8 +104,9 @@ std::string reason_of(const std::exception& error) {
   return in_one_line(
       text.find("database is locked") != std::string::npos
           ? fmt::format("another process has kept it locked for {} s; wait for it and run this again", wait_seconds)
-      : text.find("disk is full") != std::string::npos ? "the disk is full"
-                                                       : text);
+      : text.find("disk is full") != std::string::npos      ? "the disk is full"
+      : text.find("readonly database") != std::string::npos ? "the file, or the disk that it is on, can only be read"
+                                                            : text);
 }
 
 // Everything that SOCI throws leaves as DatabaseError.
@@ -112,6 +117,16 @@ auto translated(Work work) {
   } catch (const soci::soci_error& error) {
     throw DatabaseError(reason_of(error));
   }
+}
+
+// Why a file cannot be made, which SQLite does not tell; empty where it is there, or could be.
+std::string why_no_file(const std::string& file) {
+  std::error_code ignored;
+  const auto folder = std::filesystem::path(file).parent_path();
+  if (std::filesystem::exists(file, ignored) || ::access(folder.c_str(), W_OK) == 0) {
+    return {};
+  }
+  return fmt::format("{}: {}", folder.string(), std::strerror(errno));
 }
 
 }  // namespace
@@ -154,7 +169,9 @@ Expected<Database> Database::open(const std::string& where, Access access) {
       connection->session << "PRAGMA user_version";
     }
   } catch (const std::exception& error) {
-    return bad_input(fmt::format("the store cannot be opened: {}", reason_of(error)), place->name);
+    const std::string reason = place->is_postgresql ? "" : why_no_file(place->file);
+    return bad_input(fmt::format("the store cannot be opened: {}", reason.empty() ? reason_of(error) : reason),
+                     place->name);
   }
   return Database(std::move(connection));
 }
@@ -205,13 +222,9 @@ std::vector<StoreRow> Database::rows(const std::string& sql, const StoreRow& val
   return all;
 }
 
-void Database::in_transaction(const std::function<void()>& work) {
-  run(is_postgresql() ? "BEGIN" : "BEGIN IMMEDIATE");
+void Database::between(const char* begin, const std::function<void()>& work) {
+  run(begin);
   try {
-    if (is_postgresql()) {
-      // One writer at a time, so that none finds rows that another is about to write. The number is this program's.
-      rows("SELECT 1 FROM (SELECT pg_advisory_xact_lock(6172746361)) AS waited");
-    }
     work();
     run("COMMIT");
   } catch (...) {
@@ -219,8 +232,27 @@ void Database::in_transaction(const std::function<void()>& work) {
       run("ROLLBACK");
     } catch (const DatabaseError&) {  // a full disk has rolled back already
     }
+    try {
+      // Where it could not, SQLite does so before it reads again; else its journal would be left to whoever comes next.
+      rows(is_postgresql() ? "SELECT 1" : "PRAGMA schema_version");
+    } catch (const DatabaseError&) {
+    }
     throw;
   }
+}
+
+void Database::in_transaction(const std::function<void()>& work) {
+  between(is_postgresql() ? "BEGIN" : "BEGIN IMMEDIATE", [&] {
+    if (is_postgresql()) {
+      // One writer at a time, so that none finds rows that another is about to write. The number is this program's.
+      rows("SELECT 1 FROM (SELECT pg_advisory_xact_lock(6172746361)) AS waited");
+    }
+    work();
+  });
+}
+
+void Database::in_snapshot(const std::function<void()>& work) {
+  between(is_postgresql() ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN", work);
 }
 
 }  // namespace artcal

@@ -40,8 +40,12 @@ class Database {
   /// Begins a transaction that may write, does the work, commits; rolls back if the work throws. Waits for others
   /// that write to the same store, for a minute.
   void in_transaction(const std::function<void()>& work);
+  /// What the work reads is the content of one moment, whoever writes meanwhile. On SQLite others cannot commit until
+  /// it is done.
+  void in_snapshot(const std::function<void()>& work);
 
  private:
+  void between(const char* begin, const std::function<void()>& work);
   struct Connection;
   explicit Database(std::unique_ptr<Connection> connection);
   std::unique_ptr<Connection> connection_;

@@ -168,33 +168,44 @@ Expected<void> Store::write(const std::vector<StoreEntry>& entries, Known known)
 
 Expected<void> Store::merge(Store& other) {
   constexpr std::size_t at_once = 1000;
+  const auto take = [&](StoreTable table) {
+    std::vector<StoreRow> rows;
+    const auto known = table == StoreTable::Files ? Known::Replace : Known::Keep;
+    other.database_.query(in_order(table, other.database_.is_postgresql()), {}, [&](StoreRow row) {
+      rows.push_back(std::move(row));
+      if (rows.size() == at_once) {
+        insert(table, rows, known);
+        rows.clear();
+      }
+    });
+    insert(table, rows, known);
+  };
   return attempt(database_, "written", [&] {
     database_.in_transaction([&] {
-      for (const StoreTable table : all_tables()) {
-        std::vector<StoreRow> rows;
-        const auto known = table == StoreTable::Files ? Known::Replace : Known::Keep;
-        other.database_.query(in_order(table, other.database_.is_postgresql()), {}, [&](StoreRow row) {
-          rows.push_back(std::move(row));
-          if (rows.size() == at_once) {
-            insert(table, rows, known);
-            rows.clear();
-          }
-        });
-        insert(table, rows, known);
-      }
+      other.database_.in_snapshot([&] {
+        for (const StoreTable table : all_tables()) {
+          take(table);
+        }
+      });
     });
   });
 }
 
 Expected<void> Store::dump(const std::function<void(std::string_view)>& take) {
   return attempt(database_, "read", [&] {
-    for (const StoreTable table : all_tables()) {
-      if (table != StoreTable::Stored) {
-        database_.query(in_order(table, database_.is_postgresql()), {},
-                        [&](const StoreRow& row) { take(line_of(table, row)); });
+    database_.in_snapshot([&] {
+      for (const StoreTable table : all_tables()) {
+        if (table != StoreTable::Stored) {
+          database_.query(in_order(table, database_.is_postgresql()), {},
+                          [&](const StoreRow& row) { take(line_of(table, row)); });
+        }
       }
-    }
+    });
   });
+}
+
+Expected<void> Store::in_snapshot(const std::function<void()>& read) {
+  return attempt(database_, "read", [&] { database_.in_snapshot(read); });
 }
 
 Expected<std::vector<StoreRow>> Store::rows(const std::string& sql, const StoreRow& values) {

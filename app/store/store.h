@@ -50,9 +50,12 @@ class Store {
   Expected<void> merge(Store& other);
 
   /// Every row but of `stored`, one a line as JSON, in an order that depends on the content alone: the same results
-  /// give the same bytes, whatever wrote them in whatever order to whatever database.
+  /// give the same bytes, whatever wrote them in whatever order to whatever database. The content of one moment; on
+  /// SQLite others cannot write until it is done.
   Expected<void> dump(const std::function<void(std::string_view)>& take);
 
+  /// What `read` asks of this store is all answered as of one moment.
+  Expected<void> in_snapshot(const std::function<void()>& read);
   Expected<std::vector<StoreRow>> rows(const std::string& sql, const StoreRow& values = {});
   [[nodiscard]] const std::string& name() const { return database_.name(); }
 

@@ -41,4 +41,9 @@ Expected<StorePlace> understand_store(const std::string& where) {
   return StorePlace{false, std::filesystem::absolute(path, ignored).string(), path};
 }
 
+std::string file_of_store(const std::string& where) {
+  const auto place = understand_store(where);
+  return place ? place->file : "";
+}
+
 }  // namespace artcal

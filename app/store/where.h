@@ -17,4 +17,7 @@ struct StorePlace {
 /// usage: an empty name, another URL, a path that SQLite's driver cannot be told.
 Expected<StorePlace> understand_store(const std::string& where);
 
+/// The file that a store is in, which nothing else may be written over; empty for a server and what is no store.
+std::string file_of_store(const std::string& where);
+
 }  // namespace artcal

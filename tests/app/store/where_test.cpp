@@ -18,6 +18,13 @@ TEST(StorePlace, AUrlIsAServerAndAnythingElseAFile) {
   }
 }
 
+TEST(StorePlace, TheFileOfAStoreIsKnownHoweverItIsNamed) {
+  EXPECT_EQ(file_of_store("sqlite:/tmp/s"), "/tmp/s");
+  EXPECT_EQ(file_of_store("/tmp/s"), "/tmp/s");
+  EXPECT_EQ(file_of_store("postgresql:///db"), "");
+  EXPECT_EQ(file_of_store(""), "");
+}
+
 TEST(StorePlace, APasswordIsNotRepeated) {
   EXPECT_EQ(understand_store("postgresql://me:secret@host/db")->name, "postgresql://me:***@host/db");
   EXPECT_EQ(understand_store("postgresql://host/db?user=me&password=secret&x=1")->name,
