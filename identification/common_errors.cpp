@@ -39,7 +39,8 @@ std::vector<const CertifiedDistance*> all_certified(const Constraints& constrain
 Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit, const Recording& recording) {
   const Constraints& constraints = *system.constraints;
   const NumberLayout layout = layout_of(system);
-  Eigen::MatrixXd lacking = Eigen::MatrixXd::Zero(system.arm_size(), system.arm_size());
+  const int common = system.shared_size() + system.arm_size();
+  Eigen::MatrixXd lacking = Eigen::MatrixXd::Zero(common, common);
   if (constraints.binding_distance_count() == 0) {
     return lacking;
   }
@@ -47,6 +48,8 @@ Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit,
   if (!factor) {
     return tl::unexpected(factor.error());
   }
+  Eigen::VectorXd scale = Eigen::VectorXd::Ones(common);
+  scale.tail(system.arm_size()) = system.scale;
   const auto certificates = certified_distances(constraints);
   const auto certified = all_certified(constraints);
   const auto above = above_reference(constraints, recording);
@@ -64,7 +67,7 @@ Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit,
                       slope.data() + at);
     // δ = (RᵀR)⁻¹ Jᵀ w·(change of the length), in mm and rad per mm.
     const Eigen::VectorXd answer =
-        fit.weights.distances[d] * system.scale.cwiseProduct(factor->solve(slope).numbers.tail(system.arm_size()));
+        fit.weights.distances[d] * scale.cwiseProduct(factor->solve(slope).numbers.tail(common));
     const CertifiedDistance& certificate = *certified[certificates[d]];
     of_certificates[certificates[d]].add(first.expansion * certificate.u * answer);
     const double u_expansion = constraints.artefacts[first.artefact].u_expansion;

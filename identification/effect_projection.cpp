@@ -44,6 +44,7 @@ Eigen::MatrixXd as_few_rows(Eigen::MatrixXd rows) {
   return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
 }
 
+/// Collects the rows of a fit block by block and takes out of them what the fit explains.
 class Projection {
  public:
   Projection(const System& system, const ArmFit& fit, const EffectColumns& effects)
@@ -52,9 +53,13 @@ class Projection {
         effects_(effects),
         sweeps_(sweeps_of(system, fit.arm)),
         every_(1 + system.constraints->reading_residual_count() / 3 / most_searched_readings),
-        squares_(Eigen::VectorXd::Zero(effects.size())),
-        tips_(3, effects.size()) {
-    searched_.tip_covariance = Eigen::MatrixXd::Zero(effects.size(), effects.size());
+        squares_(Eigen::VectorXd::Zero(effects.size())) {
+    Eigen::Index readings = 0;
+    for (const FeatureConstraint& feature : system.constraints->features) {
+      readings += looked_at(feature);
+    }
+    searched_.turnings.resize(effects.size(), readings);
+    searched_.tips.resize(3 * effects.size(), readings);
   }
 
   Searched search() && {
@@ -116,12 +121,16 @@ class Projection {
     return rows.topRows(next);
   }
 
+  [[nodiscard]] Eigen::Index looked_at(const FeatureConstraint& feature) const {
+    return (feature.size() + every_ - 1) / every_;
+  }
+
   [[nodiscard]] Eigen::Index row_count(const Block& block) const {
     Eigen::Index count =
         static_cast<Eigen::Index>(block.distances.size()) + (block.has_shared ? system_.shared_size() : 0);
     for (const int f : block.features) {
       const FeatureConstraint& feature = system_.constraints->features[f];
-      count += static_cast<Eigen::Index>(feature.dimension()) * ((feature.size() + every_ - 1) / every_);
+      count += feature.dimension() * looked_at(feature);
     }
     return count;
   }
@@ -133,20 +142,15 @@ class Projection {
     const int reading = feature.readings[k];
     const int dimension = feature.dimension();
     const Sweep& sweep = sweeps_[system_.probes[reading]];
-    Eigen::VectorXd turnings(effects_.size());
-    effects_.at(reading, sweep, tips_, turnings);
+    Eigen::Map<Eigen::Matrix3Xd> tips(searched_.tips.col(looked_at_).data(), 3, effects_.size());
+    effects_.at(reading, sweep, tips, searched_.turnings.col(looked_at_));
+    ++looked_at_;
     const Residual at = residual.at(k, sweep.tip_in_base(system_.sines_of(reading)), sweep.tip_radius(), true);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const Eigen::Matrix3d to_rows = whitening * at.by_tip;
-    Eigen::MatrixXd slopes = to_rows.topRows(dimension).lazyProduct(tips_);
+    Eigen::MatrixXd slopes = to_rows.topRows(dimension).lazyProduct(tips);
     squares_ += slopes.colwise().squaredNorm().transpose();
-    for (const EffectFamily& family : effects_.families()) {
-      const auto own = tips_.middleCols(family.first, family.columns);
-      searched_.tip_covariance.block(family.first, family.first, family.columns, family.columns) +=
-          own.transpose().lazyProduct(own);
-    }
-    turnings_.push_back(std::move(turnings));
     return slopes;
   }
 
@@ -159,12 +163,6 @@ class Projection {
       searched_.columns.col(i) *= is_seen ? 1.0 / searched_.lengths[i] : 0.0;
     }
     searched_.residuals = left.col(z);
-    searched_.readings = static_cast<int>(turnings_.size());
-    searched_.turnings.resize(searched_.readings, z);
-    for (int i = 0; i < searched_.readings; ++i) {
-      searched_.turnings.row(i) = turnings_[static_cast<std::size_t>(i)].transpose();
-    }
-    searched_.tip_covariance /= std::max(1, searched_.readings);
   }
 
   const System& system_;
@@ -174,8 +172,7 @@ class Projection {
   std::vector<Sweep> sweeps_;
   int every_;
   Eigen::VectorXd squares_;  // of each effect's column before anything was taken out
-  Eigen::Matrix3Xd tips_;    // of one reading
-  std::vector<Eigen::VectorXd> turnings_;
+  Eigen::Index looked_at_ = 0;
   int counted_rows_ = 0;
   Searched searched_;
 };

@@ -57,11 +57,15 @@ ModelFinding finding_of(const EffectFamily& family, const Share& share, const Ei
       lengths.cwiseInverse().asDiagonal() *
       Eigen::MatrixXd(own.transpose() * own).completeOrthogonalDecomposition().pseudoInverse() *
       lengths.cwiseInverse().asDiagonal();
-  const auto turnings = searched.turnings.middleCols(family.first, family.columns);
-  finding.rms_at_tip = std::sqrt(coefficients.dot(
-      searched.tip_covariance.block(family.first, family.first, family.columns, family.columns) * coefficients));
+  const double readings = searched.readings();
+  double squares = 0.0;
+  for (const auto& reading : searched.tips.middleRows(3 * family.first, 3 * family.columns).colwise()) {
+    squares += (reading.reshaped(3, family.columns) * coefficients).squaredNorm();
+  }
+  finding.rms_at_tip = std::sqrt(squares / readings);
   if (family.effect == Effect::Gravity) {
-    finding.amplitude = (turnings * coefficients).norm() / std::sqrt(static_cast<double>(searched.readings));
+    const auto turnings = searched.turnings.middleRows(family.first, family.columns);
+    finding.amplitude = (turnings.transpose() * coefficients).norm() / std::sqrt(readings);
   } else if (family.columns == 2) {
     finding.amplitude = coefficients.norm();
     finding.phase = std::atan2(coefficients[1], coefficients[0]);
@@ -103,7 +107,7 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
   Eigen::MatrixXd columns = searched.columns;
   Eigen::VectorXd residuals = searched.residuals;
   double degrees_of_freedom = searched.degrees_of_freedom;
-  study.readings = searched.readings;
+  study.readings = searched.readings();
   while (study.findings.size() < most_findings) {
     std::vector<ModelTest> tests;
     std::vector<std::pair<const EffectFamily*, Share>> shares;

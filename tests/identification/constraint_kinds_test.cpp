@@ -331,6 +331,26 @@ TEST(UnknownRadius, BallsOfABarBringBackTheTruthAndTheirSize) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(result.artefact_values[i].found, bar.radii[i], 1e-6);
 }
 
+// With next to no noise all that is left of the size of a ball is the scale that the bar gives: its relative u, times
+// the ball's and the tip's radius, in however many placements.
+TEST(UnknownRadius, HasTheErrorOfTheOneCertificateInAllPlacements) {
+  const Arm nominal = nominal_arm();
+  Session session(nominal, true_arm(8, nominal), 8, silent);
+  BallBar bar = bar_of(false, true);
+  bar.places.pop_back();
+  bar.artefact.features.pop_back();
+  bar.artefact.distances.pop_back();
+  bar.artefact.distances.front().u = 0.02;
+  read_bar(session, bar, 6, 12);
+  const auto bound = test::bind(session.recording(), {bar.artefact});
+  const Identification result = test::identified(bound, stated_noise(1e-6));
+  ASSERT_EQ(result.artefact_values.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double expected = (bar.radii[i] + nominal.probes.front().radius) * 0.02 / bar.places[1];
+    EXPECT_NEAR(result.artefact_values[i].u / result.enlargement, expected, 0.02 * expected);
+  }
+}
+
 TEST(UnknownRadius, WithoutALengthTheScaleIsLost) {
   const Arm nominal = nominal_arm();
   Session session(nominal, true_arm(9, nominal), 9, silent);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "identification/arm_fit.h"
+#include "identification/preparation.h"
+
+namespace artcal {
+
+/// Every parameter of the arm, and what became of it; `covariance` is of Preparation::free.
+std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identified, const Preparation& preparation,
+                                          const Eigen::MatrixXd& covariance);
+
+/// What a fit says of the numbers of the artefacts themselves; `common` from common_errors(), `enlargement` as in
+/// Identification.
+std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
+                                              const Eigen::MatrixXd& common, double enlargement);
+
+}  // namespace artcal

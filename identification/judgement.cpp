@@ -1,0 +1,122 @@
+#include "identification/judgement.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "acquisition/joint_error_keys.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "identification/strange.h"
+
+namespace artcal {
+namespace {
+
+// What stands out by more, mm, is worth a warning; by more than the second it is no reading of what it is said to be.
+constexpr double a_slip = 0.3;
+constexpr double another_place = 2.0;
+
+}  // namespace
+
+void judge_noise(const ArmFit& fit, Identification& result) {
+  result.noise = fit.noise;
+  result.degrees_of_freedom = fit.degrees_of_freedom;
+  result.chi_squared = fit.residuals.readings_squared() + fit.residuals.certificates_squared();
+  result.chi_squared_low = chi_squared_quantile(0.025, fit.degrees_of_freedom);
+  result.chi_squared_high = chi_squared_quantile(0.975, fit.degrees_of_freedom);
+  if (!result.noise_is_given) {
+    return;
+  }
+  if (result.chi_squared > result.chi_squared_high) {
+    result.enlargement = std::sqrt(result.chi_squared / fit.degrees_of_freedom);
+    result.warnings.push_back(
+        fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
+                    "the noise is larger, or the arm has errors this model does not know; all "
+                    "standard uncertainties were enlarged by that factor",
+                    result.enlargement));
+  } else if (result.chi_squared < result.chi_squared_low) {
+    result.warnings.push_back(
+        fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
+                    "too large, and so are the standard uncertainties",
+                    std::sqrt(result.chi_squared / fit.degrees_of_freedom)));
+  }
+}
+
+Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters) {
+  std::string absurd, names;
+  for (const IdentifiedParameter& p : parameters) {
+    if (p.state == ParameterState::Identified && p.parameter.is_joint_error() &&
+        !(std::abs(p.identified) <= most_of(p.parameter.kind))) {
+      absurd += fmt::format("{}{} = {:.3g} with a standard uncertainty of {:.2g}", absurd.empty() ? "" : ", ",
+                            p.parameter.name, p.identified, p.u);
+      names += (names.empty() ? "" : ",") + p.parameter.name;
+    }
+  }
+  if (absurd.empty()) {
+    return {};
+  }
+  return no_solution(
+      fmt::format("no joint that works has such errors: {} (rad, rad/rad, rad/(N mm), 1/K); these "
+                  "readings hardly tell them. Leave the group out of the model, or hold them: --hold {}",
+                  absurd, names));
+}
+
+std::vector<std::string> suspicions(const Identification& result, double length) {
+  std::vector<std::string> warnings;
+  for (const auto& parameter : result.parameters) {
+    const double moved = std::abs(parameter.identified - parameter.nominal);
+    if (parameter.parameter.is_angle() && moved > 5.0 * units::degree) {
+      warnings.push_back(
+          fmt::format("{} moved by {:.3g} deg from its nominal value: are joint order, signs and units "
+                      "right?",
+                      parameter.parameter.name, moved / units::degree));
+    } else if (parameter.parameter.is_length() && moved > 0.05 * length) {
+      warnings.push_back(fmt::format("{} moved by {:.4g} mm from its nominal value: is this the arm that was read?",
+                                     parameter.parameter.name, moved));
+    }
+  }
+  if (!result.noise_is_given && result.noise < 1e-6) {
+    warnings.push_back(
+        "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
+        "real arm");
+  }
+  if (const auto strange = what_stands_out(result.after, a_slip)) {
+    warnings.push_back(*strange);
+  }
+  if (result.after.overall.rms > result.before.overall.rms) {
+    warnings.push_back("the identified arm fits the readings no better than the nominal one");
+  }
+  double squares = 0.0;
+  int count = 0;
+  for (const auto& left : result.left_out) {
+    squares += left.deviation.readings * left.deviation.rms * left.deviation.rms;
+    count += left.deviation.readings;
+  }
+  if (count > 0 && std::sqrt(squares / count) > 1.5 * result.after.overall.rms) {
+    warnings.push_back(
+        fmt::format("placements that were left out fit {:.1f} times worse than those identified from: "
+                    "the readings are few, or too much alike, for so many parameters",
+                    std::sqrt(squares / count) / result.after.overall.rms));
+  }
+  return warnings;
+}
+
+Expected<void> check_places(const Evaluation& after, Loss loss) {
+  const auto strange = loss == Loss::None ? what_stands_out(after, another_place) : std::nullopt;
+  if (!strange) {
+    return {};
+  }
+  return no_solution(*strange +
+                     " No arm fits all of them. Correct or take out what is wrong; --loss cauchy lets go of single "
+                     "readings and lists them");
+}
+
+Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {
+  const auto evaluation = evaluate(recording, constraints, start);
+  if (const auto strange = evaluation ? what_stands_out(*evaluation, another_place) : std::nullopt) {
+    error.message = *strange + " No arm was found that fits all (" + error.message + ")";
+  }
+  return error;
+}
+
+}  // namespace artcal

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "identification/identify.h"
+#include "identification/linearisation.h"
+
+namespace artcal {
+
+/// What is settled before anything is solved.
+struct Preparation {
+  Arm start;
+  Coupling coupling;
+  std::vector<Parameter> free;
+  std::optional<Linearisation> at_start;  ///< by the free parameters, where it is known already
+
+  [[nodiscard]] const Linearisation* known_start() const { return at_start ? &*at_start : nullptr; }
+};
+
+/// The start near enough for balls to be seen, and of the parameters asked for those that these readings tell.
+/// Usage: a model that makes no sense for this arm, or names that it does not have. No solution: the scale is lost, or
+/// nothing is left to identify; see also analyse() and arm_with_fitted_tips().
+Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
+                              const IdentifyOptions& options);
+
+}  // namespace artcal
