@@ -84,7 +84,7 @@ std::string joint_errors_text(const Joint& joint) {
   return joint.mass ? text + fmt::format("mass_kg = {}\n", toml_number(*joint.mass)) : text;
 }
 
-void read_surroundings(TomlTable& root, Arm& arm) {
+void read_gravity(TomlTable& root, Arm& arm) {
   if (root.has("gravity_m_s2")) {
     const auto numbers = root.numbers("gravity_m_s2");
     const Eigen::Vector3d gravity =
@@ -97,6 +97,10 @@ void read_surroundings(TomlTable& root, Arm& arm) {
       arm.gravity_in_base = gravity;
     }
   }
+}
+
+void read_surroundings(TomlTable& root, Arm& arm) {
+  read_gravity(root, arm);
   arm.reference_temperature = root.number_or("reference_temperature_C", arm.reference_temperature);
   if (!(arm.reference_temperature > -100.0 && arm.reference_temperature < 200.0)) {
     root.fail("reference_temperature_C",

@@ -21,6 +21,9 @@ double most_of(ParameterKind joint_error);
 /// What of it is not zero, a line each, with every digit, in an arm file whose unit is rad.
 std::string joint_errors_text(const Joint& joint);
 
+/// The key gravity_m_s2; without it the arm keeps its own.
+void read_gravity(TomlTable& root, Arm& arm);
+
 /// The keys of arm.toml that go with them: gravity_m_s2 and reference_temperature_C.
 void read_surroundings(TomlTable& root, Arm& arm);
 

@@ -103,7 +103,7 @@ Json to_json(const PlanFile& file, const Simulation& simulation) {
   json["seed"] = plan.seed;
   json["readings"] = simulation.recording.readings.size();
   json["noise"] = noise_json(plan.noise);
-  json["gravity_m_s2"] = numbers(simulation.arm.gravity_in_base);
+  json["gravity_m_s2"] = numbers(simulation.arm.arm.gravity_in_base);
   json["parameters"] = parameters_json(plan.nominal, simulation.arm.arm);
   json["joints"] = Json::array();
   for (const VirtualJoint& joint : simulation.arm.joints) {

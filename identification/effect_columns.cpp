@@ -53,6 +53,7 @@ void EffectColumns::at(int reading, const Sweep& sweep, Eigen::Ref<Eigen::Matrix
   Eigen::Matrix3Xd points(3, joints);
   const Eigen::Vector3d tip = sweep.tip_by_joints(system_.sines_of(reading), by_joint.data());
   sweep.axes_in_base(system_.sines_of(reading), axes.data(), points.data());
+  const Eigen::Vector3d down = system_.start.gravity_in_base.normalized();
   const double place = 2.0 * reading / std::max(1.0, static_cast<double>(recording_.readings.size()) - 1.0) - 1.0;
   const double warmth = temperature_varies_ ? recording_.readings[reading].temperature - mean_temperature_ : 0.0;
   for (const EffectFamily& family : families_) {
@@ -69,8 +70,8 @@ void EffectColumns::at(int reading, const Sweep& sweep, Eigen::Ref<Eigen::Matrix
         for (int link = family.joint; link < joints; ++link) {
           const Eigen::Vector3d end = link + 1 < joints ? Eigen::Vector3d(points.col(link + 1)) : tip;
           const Eigen::Vector3d lever = 0.5 * (points.col(link) + end) - points.col(family.joint);
-          out[link - family.joint] = system_.start.joints[family.joint].sign * 1e-3 *
-                                     axes.col(family.joint).dot(lever.cross(-Eigen::Vector3d::UnitZ()));
+          out[link - family.joint] =
+              system_.start.joints[family.joint].sign * 1e-3 * axes.col(family.joint).dot(lever.cross(down));
         }
         break;
       case Effect::Expansion:

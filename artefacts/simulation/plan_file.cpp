@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
+#include "acquisition/joint_error_keys.h"
 #include "artefacts/artefact_file.h"
 #include "artefacts/simulation/plan_arm.h"
 #include "artefacts/simulation/plan_keys.h"
@@ -73,10 +74,13 @@ void read_session(TomlTable& root, SimulationPlan& plan) {
   TomlTable noise = root.table("noise");
   plan.noise = read_planned_noise(noise);
   read_virtual_joints(root, plan.arm, units.angle, angle_at(noise, "encoder"));
-  plan.arm.gravity_in_base = triple_at(root, "gravity_m_s2").value_or(plan.arm.gravity_in_base);
-  if (plan.arm.gravity_in_base.norm() > 100.0) {
-    root.fail("gravity_m_s2", "gravity of more than 100 m/s² is none of this world");
+  if (!root.has("gravity_m_s2") && plan.nominal.gravity_in_base != plan.arm.arm.gravity_in_base) {
+    root.fail("true_arm",
+              "the arm and the true arm are mounted in different ways (`gravity_m_s2` of their files); state "
+              "in this plan which one holds");
   }
+  read_gravity(root, plan.nominal);
+  plan.arm.arm.gravity_in_base = plan.nominal.gravity_in_base;
   plan.draw_artefacts = root.truth_or("artefact_errors", false);
   read_true_features(root, plan, units);
   read_placements(root, plan, units);

@@ -30,7 +30,7 @@ Eigen::VectorXd gravity_torques(const VirtualArm& arm, int probe, const Eigen::V
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // weight of all further out, N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of it about the origin of the base, N·mm
   for (Eigen::Index i = count - 1; i >= 0; --i) {
-    const Eigen::Vector3d weight = arm.joints[i].mass * arm.gravity_in_base;
+    const Eigen::Vector3d weight = arm.joints[i].mass * arm.arm.gravity_in_base;
     force += weight;
     moment += (0.5 * (points.col(i) + points.col(i + 1))).cross(weight);
     torques[i] = axes.col(i).dot(moment - points.col(i).cross(force));

@@ -41,9 +41,8 @@ struct VirtualJoint {
 /// where the rigid chain with the readings q' has the tip where the real arm has it, k is the compliance
 /// and τ(q') the torque of the weight of all links further out about the joint's axis.
 struct VirtualArm {
-  Arm arm;  ///< true geometry
+  Arm arm;  ///< true geometry, and which way is down
   std::vector<VirtualJoint> joints;
-  Eigen::Vector3d gravity_in_base{0.0, 0.0, -9.80665};  ///< m/s²
 
   [[nodiscard]] bool bends() const;
 };

@@ -123,8 +123,12 @@ TEST(ModelStudy, FindsTheSecondHarmonicOfAnotherJointToo) {
   EXPECT_EQ(study.findings.size(), 2U);
 }
 
-TEST(ModelStudy, FlagsAnArmThatBends) {
+/// Which way is down for the arm.
+class Bending : public ::testing::TestWithParam<Eigen::Vector3d> {};
+
+TEST_P(Bending, IsFlagged) {
   SimulationPlan made = plan();
+  made.nominal.gravity_in_base = made.arm.arm.gravity_in_base = 9.80665 * GetParam();
   for (std::size_t i = 0; i < 6; ++i) made.arm.joints[i].mass = 1.5 / static_cast<double>(i + 1);
   made.arm.joints[1].compliance = 3.0 * units::arcsecond / 1e3;  // an arc second a third of a newton metre
   const auto simulation = simulate(made);
@@ -135,6 +139,10 @@ TEST(ModelStudy, FlagsAnArmThatBends) {
   EXPECT_EQ(study.findings.front().joint, 1);
   EXPECT_THAT(in_words(study.findings.front()), HasSubstr("joint 2: gives way"));
 }
+
+INSTANTIATE_TEST_SUITE_P(OnTheFloorOnAWallAndOnTheCeiling, Bending,
+                         ::testing::Values(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(),
+                                           Eigen::Vector3d::UnitZ()));
 
 TEST(ModelStudy, FindsAZeroThatDrifts) {
   SimulationPlan made = plan();

@@ -94,6 +94,23 @@ TEST_F(PlanFileTest, TheStopsAreTheArmsUnlessThePlanSaysOtherwise) {
   EXPECT_NEAR(file->plan.arm.joints[1].high, 200.0 * units::degree, 1e-12);
 }
 
+// An arm on a wall sags sideways; a plan that takes its file and says nothing must not put it on the floor.
+TEST_F(PlanFileTest, TheArmIsMountedAsItsFileOrThePlanSays) {
+  const std::string on_a_wall = "gravity_m_s2 = [9.81, 0, 0]\n";
+  const auto arm_on_the_wall = [&] { return on_a_wall + testing::ExampleRecording{}.arm; };
+  const auto by_plan = read(on_a_wall + plan_text);
+  ASSERT_TRUE(by_plan) << by_plan.error().text();
+  EXPECT_EQ(by_plan->plan.arm.arm.gravity_in_base, Eigen::Vector3d(9.81, 0.0, 0.0));
+  EXPECT_EQ(by_plan->plan.nominal.gravity_in_base, Eigen::Vector3d(9.81, 0.0, 0.0));  // the recording's arm
+  (void)folder_.write("wall.toml", arm_on_the_wall());
+  const auto by_file = read(replaced(plan_text, "\"arm.toml\"", "\"wall.toml\""));
+  ASSERT_TRUE(by_file) << by_file.error().text();
+  EXPECT_EQ(by_file->plan.arm.arm.gravity_in_base, Eigen::Vector3d(9.81, 0.0, 0.0));
+  EXPECT_THAT(refusal("seed = 7", "true_arm = \"wall.toml\""), HasSubstr("mounted in different ways"));
+  EXPECT_TRUE(read(on_a_wall + replaced(plan_text, "seed = 7", "true_arm = \"wall.toml\"")));
+  EXPECT_THAT(refusal("seed = 7", "gravity_m_s2 = [0, 0, 0]"), HasSubstr("is no gravity"));
+}
+
 TEST_F(PlanFileTest, TurnsAboutXThenYThenZ) {
   const auto file = read(replaced(plan_text, "turn = [0, 0, 90]", "turn = [90, 0, 90]"));
   // The artefact's y goes up with the first turn and stays there with the second; its z goes to -y, then to x.

@@ -54,7 +54,7 @@ TEST(VirtualArm, ReadingsLeadBackToWhereTheTipIs) {
     arm.arm = testing::random_arm(random);
     arm.joints.resize(arm.arm.joints.size());
     testing::spoil(arm);
-    arm.gravity_in_base = 9.80665 * random.direction();
+    arm.arm.gravity_in_base = 9.80665 * random.direction();
     const auto rigid = testing::random_joints(random, arm.joints.size());
     const int probe = static_cast<int>(arm.arm.probes.size()) - 1;
     const Eigen::VectorXd q =

@@ -33,7 +33,7 @@ inline std::vector<double> torques_of(const VirtualArm& arm, const std::vector<d
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i; j < n; ++j) {
       const Eigen::Vector3d centre = (points[j] + points[j + 1]) / 2.0;
-      const Eigen::Vector3d weight = arm.joints[j].mass * arm.gravity_in_base;
+      const Eigen::Vector3d weight = arm.joints[j].mass * arm.arm.gravity_in_base;
       torques[i] += axes[i].dot((centre - points[i]).cross(weight));
     }
   }
