@@ -211,21 +211,100 @@ TEST(MonteCarlo, DrawsTemperaturesAnewInEachPlacement) {
   }
 }
 
-TEST(MonteCarlo, StopsWhereTrialsDoNotConverge) {
-  Example example = identified_example("ball-bar");
-  example.options.noise = {30.0, {}, {}};  // more than the balls are large
-  example.options.max_iterations = 4;      // which is enough only where a trial is near
-  const auto monte_carlo = MonteCarlo::prepare(example.recording, example.constraints, example.options,
-                                               example.identification, few_quantities());
-  if (!monte_carlo) {
-    EXPECT_EQ(monte_carlo.error().code, ErrorCode::NoSolution);
-    return;
+/// Readings with a noise of 0.4 mm, which not every trial converges from.
+MonteCarlo of_very_noisy_readings(Example& example) {
+  example.options.noise = {0.4, {}, {}};
+  example.options.max_iterations = 4;
+  MonteCarloOptions options = few_quantities();
+  options.measuring.balls = 0;
+  return *MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
+}
+
+void expect_all_counted(const MonteCarloCount& count, std::int64_t trials) {
+  EXPECT_EQ(count.end, trials);
+  EXPECT_EQ(count.not_converged_first.size(),
+            static_cast<std::size_t>(std::min<std::int64_t>(10, count.not_converged)));
+  for (const Distribution& distribution : count.distributions) {
+    EXPECT_EQ(distribution.count(), trials - count.not_converged);
   }
-  auto count = monte_carlo->begin();
-  const auto run = count ? monte_carlo->run(*count, {200, 2}, {}) : tl::unexpected(count.error());
+}
+
+TEST(MonteCarlo, CountsAndListsATrialThatDoesNotConverge) {
+  Example example = identified_example("ball-bar");
+  const MonteCarlo monte_carlo = of_very_noisy_readings(example);
+  MonteCarloCount count = *monte_carlo.begin();
+  ASSERT_TRUE(monte_carlo.run(count, {90, 2}, {}));  // too few to judge
+  EXPECT_GT(count.not_converged, 0);
+  expect_all_counted(count, 90);
+}
+
+TEST(MonteCarlo, StopsWhereMoreThanOneTrialInAHundredDoesNotConverge) {
+  Example example = identified_example("ball-bar");
+  const MonteCarlo monte_carlo = of_very_noisy_readings(example);
+  MonteCarloCount count = *monte_carlo.begin();
+  const auto run = monte_carlo.run(count, {150, 2}, {});
   ASSERT_FALSE(run);
   EXPECT_EQ(run.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(run.error().message, HasSubstr("converge"));
+  EXPECT_GT(count.not_converged, 1);
+  EXPECT_THAT(run.error().message, HasSubstr(std::to_string(count.not_converged) + " of 150 identifications"));
+  expect_all_counted(count, 150);
+}
+
+TEST(MonteCarlo, DoesNotBeginWhereHardlyAnyTrialConverges) {
+  Example example = identified_example("ball-bar");
+  example.options.noise = {1.0, {}, {}};
+  example.options.max_iterations = 4;
+  const auto monte_carlo = MonteCarlo::prepare(example.recording, example.constraints, example.options,
+                                               example.identification, few_quantities());
+  ASSERT_TRUE(monte_carlo) << monte_carlo.error().text();
+  const auto refused = monte_carlo->begin();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::NoSolution);
+  EXPECT_THAT(refused.error().message, HasSubstr("of 200 identifications"));
+}
+
+// A noise that ν residuals tell makes values t-distributed: their variance is ν/(ν − 2) of the first-order one.
+TEST(MonteCarlo, IsWiderWhereFewResidualsToldTheNoise) {
+  const Arm nominal = test::gao_arm();
+  RandomStream random(4, "arm");
+  testing::Session session(nominal, testing::arm_with_errors(nominal, random, 0.2, 5e-4), 3);
+  Artefact bar;
+  bar.name = "bar";
+  for (const char* name : {"A", "B"}) bar.features.push_back(testing::feature_of(name, FeatureKind::Point));
+  bar.distances.push_back({0, 1, 500.0, 1e-4});
+  for (int p = 0; p < 2; ++p) {
+    const Rigid pose = session.pose();
+    for (const double end : {0.0, 500.0}) {
+      session.read("bar", std::to_string(p), end == 0.0 ? "A" : "B", 2,
+                   [&](int) { return Eigen::Vector3d(pose * Eigen::Vector3d(end, 0.0, 0.0)); });
+    }
+  }
+  Constraints constraints = *build_constraints(session.recording(), {bar});
+  Example example{session.recording(), std::move(constraints), {}, {}};
+  example.options.leave_out = false;
+  for (const Parameter& parameter : parameters_of(session.truth())) {
+    const auto kind = parameter.kind;
+    if (kind != ParameterKind::Theta && kind != ParameterKind::TipZ) example.options.hold.push_back(parameter.name);
+  }
+  example.recording.arm = session.truth();
+  auto result = identify(example.recording, example.constraints, example.options);
+  ASSERT_TRUE(result) << result.error().text();
+  example.identification = std::move(*result);
+  const double nu = example.identification.degrees_of_freedom;
+  ASSERT_EQ(nu, 3 * 8 + 2 - 3 * 4 - 6);  // readings and lengths less seats and five zero offsets and the tip
+  constexpr int number = 4000;
+  MonteCarloOptions options = few_quantities();
+  options.measuring.points = options.measuring.lengths = options.measuring.balls = 0;
+  const auto monte_carlo =
+      MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
+  const auto results = summary(monte_carlo->quantities(), trials(example, options, 0, number));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const FollowedQuantity& quantity = monte_carlo->quantities()[i];
+    if (quantity.kind != FollowedQuantity::Kind::Parameter) continue;
+    // Of the deviation of a t-distribution: its excess kurtosis is 6/(ν − 4).
+    const double error = std::sqrt((2.0 + 6.0 / (nu - 4.0)) / 4.0 / number);
+    EXPECT_NEAR(results[i].u / *quantity.u_linear / std::sqrt(nu / (nu - 2.0)), 1.0, 4.0 * error) << quantity.name;
+  }
 }
 
 TEST(MonteCarlo, RefusesReadingsWithoutNoise) {

@@ -119,6 +119,7 @@ class Session {
   /// Of the arm, from now on, °C; it stands in the readings.
   void set_arm_temperature(double temperature) { arm_temperature_ = temperature; }
 
+  [[nodiscard]] const Arm& truth() const { return truth_; }
   RandomStream& random() { return random_; }
   Recording& recording() { return recording_; }
 
