@@ -16,7 +16,10 @@ Json rows(const Eigen::Matrix3d& matrix) {
 
 Json parameters_json(const Arm& nominal, const Arm& real) {
   Json json = Json::array();
-  for (const Parameter& parameter : parameters_of(nominal)) {
+  for (const Parameter& parameter : all_parameters(nominal)) {
+    if (parameter.is_joint_error() && value(nominal, parameter) == 0.0 && value(real, parameter) == 0.0) {
+      continue;
+    }
     json.push_back({{"name", parameter.name},
                     {"unit", parameter.unit()},
                     {"nominal", value(nominal, parameter)},

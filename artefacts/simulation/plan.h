@@ -25,6 +25,11 @@ struct ArmErrors {
   double eccentricity = 0.0;       ///< of both quadrature parts of each encoder's first harmonic, rad
   double second_harmonic = 0.0;    ///< the same of the second
   std::vector<std::string> exact;  ///< parameters that keep their nominal value
+  double radius = 0.0;             ///< of each tip's radius, mm
+  double gain = 0.0;               ///< of each joint, rad/rad
+  double coupling = 0.0;           ///< of each joint but the first to the one before, rad/rad
+  double compliance = 0.0;         ///< of each joint, rad/(N·mm); what is drawn below zero counts above it
+  double expansion = 0.0;          ///< of each link, 1/K
 };
 
 /// Standard deviations of what the readings' numbers are off beside the encoders.

@@ -1,9 +1,11 @@
 #include "artefacts/simulation/plan_arm.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "acquisition/joint_error_keys.h"
 #include "acquisition/parameters.h"
 #include "artefacts/simulation/plan_keys.h"
 #include "core/in_quotes.h"
@@ -12,6 +14,8 @@
 namespace artcal {
 namespace {
 
+constexpr double newton_metre = 1e3;         // N·mm
+constexpr double most_of_radius = 0.1;       // a spread of it beyond which a tip may vanish
 constexpr double most_encoder_error = 0.01;  // rad; what is more is a broken encoder, not an eccentric one
 
 Harmonic read_first_harmonic(TomlTable& table, double angle) {
@@ -63,12 +67,42 @@ VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angl
                                  harmonic.amplitude / units::arcsecond, most_encoder_error / units::arcsecond));
     }
   }
-  const double newton_metre = 1e3;  // N·mm
   joint.compliance = number_between(table, "compliance_arcsec_per_Nm", 0.0, 0.0, 1e4) * units::arcsecond / newton_metre;
   joint.mass = number_between(table, "mass_kg", 0.0, 0.0, 1e3);
   read_stops(table, joint, angle);
   return joint;
 }
+
+// A tenth of the most that an arm's file may state.
+double spread_at(TomlTable& table, const char* key, ParameterKind kind, double unit) {
+  return unit * number_between(table, key, 0.0, 0.0, std::round(0.1 * most_of(kind) / unit));
+}
+
+void read_joint_error_sizes(TomlTable& table, const Arm& arm, ArmErrors& errors) {
+  constexpr double ppm = 1e-6;
+  errors.gain = spread_at(table, "gain_ppm", ParameterKind::Gain, ppm);
+  errors.coupling = spread_at(table, "coupling_ppm", ParameterKind::Coupling, ppm);
+  errors.compliance =
+      spread_at(table, "compliance_arcsec_per_Nm", ParameterKind::Compliance, units::arcsecond / newton_metre);
+  errors.expansion = spread_at(table, "expansion_ppm_per_K", ParameterKind::Expansion, ppm);
+  if (errors.compliance > 0.0 && !has_masses(arm)) {
+    table.fail("compliance_arcsec_per_Nm",
+               fmt::format("not every joint of the arm {} states the mass of its link (`mass_kg` in the arm's file), "
+                           "without which no joint gives way",
+                           in_quotes(arm.name)));
+  }
+  errors.radius = length_at(table, "radius");
+  for (const Probe& probe : arm.probes) {
+    if (errors.radius > most_of_radius * probe.radius) {
+      table.fail("radius",
+                 fmt::format("radii are to be drawn with {:g} mm, but that of the tip {} is {:g} mm, expected "
+                             "a tenth of it at most",
+                             errors.radius, in_quotes(probe.name), probe.radius));
+    }
+  }
+}
+
+bool is_harmonic(ParameterKind kind) { return kind >= ParameterKind::Cosine1 && kind <= ParameterKind::Sine2; }
 
 }  // namespace
 
@@ -85,14 +119,16 @@ VirtualJoint plain_joint(const Joint& real, double encoder_noise) {
 
 ArmErrors read_arm_errors(TomlTable table, const Arm& arm) {
   ArmErrors errors;
+  read_joint_error_sizes(table, arm, errors);
   errors.length = length_at(table, "length");
   errors.angle = angle_at(table, "angle");
   errors.eccentricity = angle_at(table, "first_harmonic");
   errors.second_harmonic = angle_at(table, "second_harmonic");
   errors.exact = table.texts("exact");
-  const auto parameters = parameters_of(arm);
+  const auto parameters = all_parameters(arm);
   for (const auto& name : errors.exact) {
-    if (find_parameter(parameters, name) < 0) {
+    const int found = find_parameter(parameters, name);
+    if (found < 0 || is_harmonic(parameters[found].kind)) {
       table.fail("exact", fmt::format("{} is not a parameter of the arm {}", in_quotes(name), in_quotes(arm.name)));
     }
   }

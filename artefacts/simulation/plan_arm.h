@@ -7,7 +7,7 @@ namespace artcal {
 
 /// The tables of a plan that say how the true arm differs from the nominal one. `angle` is the plan's unit.
 /// Whatever is wrong is noted in the tables.
-ArmErrors read_arm_errors(TomlTable table, const Arm& arm);
+ArmErrors read_arm_errors(TomlTable table, const Arm& true_arm);
 PlannedNoise read_planned_noise(TomlTable& table);
 
 /// Reads the tables [[joint]] into the arm's joints, whose encoder noise is `encoder_noise` unless a joint

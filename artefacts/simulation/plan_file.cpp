@@ -70,7 +70,7 @@ void read_session(TomlTable& root, SimulationPlan& plan) {
   TomlTable names = root.table("units");
   const PlanUnits units{length_unit(names, "length"), angle_unit(names, "angle")};
   check_same_kind(root, plan.nominal, plan.arm.arm);
-  plan.errors = read_arm_errors(root.table("errors"), plan.nominal);
+  plan.errors = read_arm_errors(root.table("errors"), plan.arm.arm);
   TomlTable noise = root.table("noise");
   plan.noise = read_planned_noise(noise);
   read_virtual_joints(root, plan.arm, units.angle, angle_at(noise, "encoder"));

@@ -42,6 +42,7 @@ UncertaintySources sources_of(const Arm& arm) {
   for (double& entry : root.reshaped()) entry = random.normal() / std::sqrt(static_cast<double>(count));
   for (Eigen::Index i = 0; i < count; ++i) {
     root.row(i) *= 0.01 * physical_scale(sources.parameters[i], 1000.0);
+    root.row(i) *= sources.parameters[i].kind == ParameterKind::Radius ? 5.0 : 1.0;  // or it would not show
   }
   sources.covariance = root * root.transpose();
   sources.encoder = 4.0 * units::arcsecond;
@@ -144,6 +145,23 @@ TEST_F(UncertainArmTest, DiameterAgreesWithMonteCarlo) {
     square += std::pow(2.0 * (fitted->feature.radius - draw.tip_radius()) - 25.4, 2) / fits;
   }
   EXPECT_NEAR(arm_.of_diameter(tips, centre) / std::sqrt(square), 1.0, 2.0 * tolerance);
+}
+
+TEST(UncertainArm, TheTipsRadiusCountsTwiceInADiameterAndNotInALength) {
+  const Arm arm = erring_arm();
+  const auto all = all_parameters(arm);
+  const Parameter radius = all[find_parameter(all, "radius")];
+  const UncertainArm uncertain(arm, {{radius}, Eigen::MatrixXd::Constant(1, 1, 0.003 * 0.003), 0.0, 0.0});
+  std::vector<UncertainTip> tips;
+  const Eigen::Vector3d centre = uncertain.tip(posture(3)).in_base;
+  RandomStream random(13, "sphere");
+  while (tips.size() < 9) {
+    if (const auto q = reach_point(arm, 0, centre + 15.7 * random.direction(), posture(100 + tips.size()))) {
+      tips.push_back(uncertain.tip(*q));
+    }
+  }
+  EXPECT_NEAR(uncertain.of_diameter(tips, centre), 0.006, 1e-15);
+  EXPECT_EQ(uncertain.of_length(tips[0], tips[1]), 0.0);
 }
 
 TEST(WorkingVolume, OfProbingNoiseAloneIsTheSameEverywhere) {

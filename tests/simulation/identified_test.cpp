@@ -131,5 +131,57 @@ TEST(Identified, TheVirtualArmsOwnErrorsComeBack) {
   EXPECT_EQ(seen, 24 + 5);
 }
 
+// Spreads of the plan come back as parameters of the model.
+void expect_truth_of(const Model& model, const Both& both, int parameters) {
+  EXPECT_LT(both.identification.chi_squared, 1.05 * both.identification.chi_squared_high);
+  EXPECT_GT(both.identification.chi_squared, 0.95 * both.identification.chi_squared_low);
+  int seen = 0;
+  double sum = 0.0;
+  for (const IdentifiedParameter& p : both.identification.parameters) {
+    if (p.state != ParameterState::Identified) continue;
+    const double off = (p.identified - value(both.simulation.arm.arm, p.parameter)) / p.u;
+    EXPECT_LT(std::abs(off), 4.5) << p.parameter.name;
+    const bool is_drawn = p.parameter.is_joint_error() || p.parameter.kind == ParameterKind::Radius;
+    seen += is_drawn ? 1 : 0;
+    sum += is_drawn ? off * off : 0.0;
+  }
+  EXPECT_EQ(seen, parameters) << model_text(model);
+  EXPECT_LT(sum, chi_squared_quantile(1.0 - 1e-4, parameters));
+}
+
+TEST(Identified, DrawnGainsCouplingsAndExpansionsComeBack) {
+  SimulationPlan plan = seven_placements();
+  plan.errors.gain = 2e-4;
+  plan.errors.coupling = 1e-4;
+  plan.errors.expansion = 12e-6;
+  for (std::size_t i = 0; i < plan.placements.size(); ++i) {
+    plan.placements[i].arm_temperature = i % 2 == 0 ? 14.0 : 28.0;
+    plan.placements[i].arm_temperature_end = i % 2 == 0 ? 27.0 : 15.0;
+  }
+  const Model model{ParameterGroup::Gain, ParameterGroup::Coupling, ParameterGroup::Thermal};
+  expect_truth_of(model, identified(plan, model), 6 + 5 + 6);
+}
+
+TEST(Identified, DrawnCompliancesComeBack) {
+  SimulationPlan plan = seven_placements();
+  for (std::size_t i = 0; i < plan.arm.joints.size(); ++i) {
+    plan.nominal.joints[i].mass = plan.arm.arm.joints[i].mass = 1.0 + 0.2 * static_cast<double>(i);
+  }
+  plan.errors.compliance = 10.0 * units::arcsecond / 1e3;
+  expect_truth_of({ParameterGroup::Gravity}, identified(plan, {ParameterGroup::Gravity}), 5);
+}
+
+TEST(Identified, TheTipsRadiusComesBack) {
+  SimulationPlan plan = seven_placements();
+  plan.errors.radius = 0.05;
+  for (plan.seed = 1; plan.seed <= 4; ++plan.seed) {
+    const Both both = identified(plan, {ParameterGroup::Radius});
+    expect_truth_of({ParameterGroup::Radius}, both, 1);
+    // Held at 3 mm, what it is off by goes into other parameters or remains.
+    const double off = both.simulation.arm.arm.probes[0].radius - 3.0;
+    EXPECT_GT(std::abs(off), 1e-3) << plan.seed;
+  }
+}
+
 }  // namespace
 }  // namespace artcal

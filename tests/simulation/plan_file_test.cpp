@@ -83,6 +83,43 @@ TEST_F(PlanFileTest, SaysEverythingInTheProgramsUnits) {
   EXPECT_EQ(planned_readings(plan), 4 * 9 * 2 + 3 * 2 * 25);
 }
 
+TEST_F(PlanFileTest, DrawsJointErrorsWithTheSpreadStated) {
+  (void)folder_.write("heavy.toml",
+                      replaced(replaced(testing::ExampleRecording{}.arm, "d = 200", "mass_kg = 2\nd = 200"), "a = 300",
+                               "mass_kg = 1\na = 300"));
+  const std::string heavy = replaced(plan_text, "seed = 7", "true_arm = \"heavy.toml\"");
+  const auto with = [&](const std::string& keys) { return read(replaced(heavy, "exact = [\"a2\"]", keys)); };
+  const auto file = with(
+      "gain_ppm = 50\ncoupling_ppm = 20\ncompliance_arcsec_per_Nm = 4\nexpansion_ppm_per_K = 1.5\nradius = \"2 um\"\n"
+      "exact = [\"gain2\", \"radius\"]");
+  ASSERT_TRUE(file) << file.error().text();
+  const ArmErrors& errors = file->plan.errors;
+  EXPECT_DOUBLE_EQ(errors.gain, 50e-6);
+  EXPECT_DOUBLE_EQ(errors.coupling, 20e-6);
+  EXPECT_DOUBLE_EQ(errors.compliance, 4.0 * units::arcsecond / 1000.0);
+  EXPECT_DOUBLE_EQ(errors.expansion, 1.5e-6);
+  EXPECT_DOUBLE_EQ(errors.radius, 0.002);
+  for (const auto& [keys, why] : std::vector<std::pair<std::string, std::string>>{
+           {"gain_ppm = -1", "`gain_ppm` is -1, expected a number from 0 to 10000"},
+           {"gain_ppm = 20000", "expected a number from 0 to 10000"},
+           {"gain_ppm = \"50 ppm\"", "gain_ppm"},
+           {"gain = 5e-5", "gain"},
+           {"coupling_ppm = 1e6", "from 0 to 10000"},
+           {"compliance_arcsec_per_Nm = 2000", "from 0 to 1000"},
+           {"expansion_ppm_per_K = 12000", "from 0 to 100"},
+           {"radius = \"1 mm\"", "that of the tip \"ball\" is 3 mm, expected a tenth"},
+           {"radius = 0.002", "radius"},
+           {"radius = \"2 arcsec\"", "such as \"3 um\""},
+           {"exact = [\"coupling1\"]", "\"coupling1\" is not a parameter"},
+           {"exact = [\"cos_q1\"]", "\"cos_q1\" is not a parameter"}}) {
+    const auto refused = with(keys);
+    ASSERT_FALSE(refused) << keys;
+    EXPECT_EQ(refused.error().code, ErrorCode::BadInput);
+    EXPECT_THAT(refused.error().text(), HasSubstr(why));
+  }
+  EXPECT_THAT(refusal("exact = [\"a2\"]", "compliance_arcsec_per_Nm = 4"), HasSubstr("the mass of its link"));
+}
+
 TEST_F(PlanFileTest, TheStopsAreTheArmsUnlessThePlanSaysOtherwise) {
   (void)folder_.write("travel.toml",
                       replaced(replaced(testing::ExampleRecording{}.arm, "d = 200", "min = -20\nmax = 30\nd = 200"),

@@ -371,6 +371,59 @@ TEST(Simulate, ArmErrorsHaveTheirSize) {
   expect_chi_squared(sums[3], 2 * trials);
 }
 
+TEST(Simulate, JointErrorsAndRadiiHaveTheirSize) {
+  SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Point), 1);
+  plan.probings[0].features = {0};
+  for (Joint& joint : plan.arm.arm.joints) joint.mass = 1.0;
+  plan.arm.arm.joints[1].errors.expansion = 11e-6;  // what the file states is drawn around
+  plan.errors.length = 0.2;
+  const double chain = made(plan).arm.arm.joints[2].d;
+  plan.errors.exact = {"gain1"};
+  plan.errors.radius = 0.002;
+  plan.errors.gain = 5e-5;
+  plan.errors.coupling = 2e-5;
+  plan.errors.compliance = 1e-8;
+  plan.errors.expansion = 1e-6;
+  EXPECT_EQ(made(plan).arm.arm.joints[2].d, chain);  // no choice changes another's
+  Eigen::Vector<double, 5> sums = Eigen::Vector<double, 5>::Zero();
+  double gains_by_couplings = 0.0;
+  constexpr int trials = 200;
+  for (plan.seed = 1; plan.seed <= trials; ++plan.seed) {
+    const VirtualArm arm = made(plan).arm;
+    const auto& joints = arm.arm.joints;
+    sums[0] += std::pow((arm.arm.probes[0].radius - 3.0) / 0.002, 2);
+    sums[1] += std::pow(joints[2].errors.gain / 5e-5, 2);
+    sums[2] += std::pow(joints[3].errors.coupling / 2e-5, 2);
+    sums[3] += std::pow(joints[4].errors.compliance / 1e-8, 2);
+    sums[4] += std::pow((joints[1].errors.expansion - 11e-6) / 1e-6, 2);
+    gains_by_couplings += joints[2].errors.gain / 5e-5 * joints[2].errors.coupling / 2e-5 / trials;
+    EXPECT_EQ(joints[0].errors.gain, 0.0);  // exact
+    EXPECT_EQ(joints[0].errors.coupling, 0.0);
+    for (const Joint& joint : joints) EXPECT_GE(joint.errors.compliance, 0.0);
+  }
+  for (const double sum : sums) expect_chi_squared(sum, trials);
+  EXPECT_LT(std::abs(gains_by_couplings), 4.0 / std::sqrt(trials));
+}
+
+TEST(Simulate, DrawnJointErrorsAreTheSameBitsEveryTime) {
+  SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere), 10);
+  for (Joint& joint : plan.arm.arm.joints) joint.mass = 1.0;
+  plan.errors = {0.2, 1e-3, 0.0, 0.0, {}, 0.002, 1e-4, 5e-5, 2e-8, 1e-6};
+  const Simulation once = made(plan, 1);
+  EXPECT_TRUE(same_bits(once.recording.joints, made(plan, 5).recording.joints));
+  // And the tips touch the balls, by the equations written a second time.
+  const testing::ArmNumbers<double> numbers(once.arm.arm);
+  const Rigid pose = once.placements[0].base_from_artefact;
+  for (std::size_t i = 0; i < once.recording.readings.size(); ++i) {
+    const auto q = once.recording.joints.col(static_cast<Eigen::Index>(i));
+    const Eigen::Vector3d tip = testing::tip_with_errors(numbers, std::vector<double>(q.begin(), q.end()), 0, 0.0);
+    const std::string& name = once.recording.features.name(once.recording.readings[i].feature);
+    const double along = name == "A" ? 0.0 : name == "B" ? 250.0 : 600.0;
+    const Eigen::Vector3d centre = pose * Eigen::Vector3d(along, 0.0, 0.0);
+    EXPECT_NEAR((tip - centre).norm(), 12.7 + once.arm.arm.probes[0].radius, 1e-8) << i;
+  }
+}
+
 TEST(Simulate, SaysWhatIsOutOfReach) {
   SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere));
   plan.placements[0].base_from_artefact->translation = {1500.0, 0.0, 0.0};
