@@ -5,12 +5,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "identification/distribution.h"
 #include "identification/identify.h"
 #include "identification/measuring.h"
+#include "identification/monte_carlo_count.h"
+#include "identification/propagated.h"
 
 namespace artcal {
 
@@ -19,16 +19,6 @@ struct MonteCarloOptions {
   std::uint64_t seed = 1;
   double u_temperature = 0.0;  ///< of an artefact's temperature in a placement, K
   MeasuringRequest measuring;
-};
-
-/// Trials [first, end) that have been made, and all that is kept of them. Its size does not grow with their number.
-/// Counts of trials that follow each other can be put together, and are then to the bit what one run would have
-/// counted.
-struct MonteCarloCount {
-  std::int64_t first = 0, end = 0;
-  std::int64_t not_converged = 0;
-  std::vector<std::int64_t> not_converged_first;  ///< the first ten of them
-  std::vector<Distribution> distributions;        ///< a quantity each
 };
 
 /// How many trials are wanted.
@@ -45,6 +35,8 @@ struct MonteCarloWatch {
   const std::atomic<bool>* stop = nullptr;                 ///< trials that have begun are finished
   int threads = 0;                                         ///< 0 takes all; the counts do not depend on it
 };
+
+class TrialMaker;
 
 /// Propagation of distributions (JCGM 101) through a whole identification. Each trial draws readings and certificates
 /// anew (normal: noise of the readings, standard uncertainties of certified lengths, radii, coordinates and expansion),
@@ -74,29 +66,9 @@ class MonteCarlo {
   Expected<void> run(MonteCarloCount& count, const TrialsWanted& wanted, const MonteCarloWatch& watch) const;
 
  private:
-  struct Parts;
-  explicit MonteCarlo(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  MonteCarlo(std::unique_ptr<TrialMaker> maker, std::uint64_t seed);
+  std::unique_ptr<TrialMaker> maker_;
+  std::uint64_t seed_;
 };
-
-/// Appends trials that come right after. Usage: they do not, or were counted by other rulers.
-Expected<void> append(MonteCarloCount& count, const MonteCarloCount& next);
-
-/// What came out for one quantity.
-struct PropagatedQuantity {
-  double mean = 0.0;
-  double u = 0.0;
-  std::optional<Interval> symmetric, shortest;  ///< 95 %; absent where an end lies beyond the histogram
-  /// Of mean, u and the ends of the symmetric interval together: twice the largest of their standard deviations
-  /// from the number of trials.
-  double tolerance = 0.0;
-  double tolerance_wanted = 0.0;     ///< half of the last of the wanted digits of u
-  bool stands = false;               ///< tolerance ≤ tolerance_wanted
-  bool differs_from_linear = false;  ///< u differs by more than a tenth from the first-order one
-};
-
-/// REQUIRES: two trials or more.
-std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& quantities, const MonteCarloCount& count,
-                                        int digits = 2);
 
 }  // namespace artcal
