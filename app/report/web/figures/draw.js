@@ -23,22 +23,28 @@
     container.append(image);
   }
 
+  const inSpace = [];
+
   async function draw(figure) {
     const place = document.getElementById(figure.id);
-    const inSpace = KINDS[figure.kind](figure);
-    const {traces, layout: made, height} = inSpace.layout.scene && !HAS_WEBGL ? flattened(inSpace) : inSpace;
+    const wanted = KINDS[figure.kind](figure);
+    const {traces, layout: made, height} = wanted.layout.scene && !hasWebGl() ? flattened(wanted) : wanted;
     if (height) {
       place.style.height = `${height}px`;
     }
     place.replaceChildren();
     await Plotly.newPlot(place, traces, made, config(made));
     if (made.scene) {
-      keepForPaper(place);
+      inSpace.push(place);
       window.addEventListener('beforeprint', () => keepForPaper(place));
     }
   }
 
-  for (const figure of JSON.parse(document.getElementById('data').textContent).figures) {
+  // What is in space takes longest and comes last.
+  const SLOW = ['scene', 'places'];
+  const {figures} = JSON.parse(document.getElementById('data').textContent);
+  const order = [...figures.filter(({kind}) => !SLOW.includes(kind)), ...figures.filter(({kind}) => SLOW.includes(kind))];
+  for (const figure of order) {
     try {
       await draw(figure);
     } catch (error) {
@@ -51,4 +57,5 @@
   }
   document.documentElement.dataset.drawn = 'all';
   document.documentElement.dataset.milliseconds = Math.round(performance.now()); // since the page was asked for
+  inSpace.forEach(keepForPaper);
 })();

@@ -1,8 +1,10 @@
 // Where a browser has no WebGL, what stands in space is drawn from above and from the side.
-const HAS_WEBGL = (() => {
+const hasWebGl = () => {
   const canvas = document.createElement('canvas');
-  return Boolean(canvas.getContext('webgl2') || canvas.getContext('webgl'));
-})();
+  const context = canvas.getContext('webgl2') || canvas.getContext('webgl');
+  context?.getExtension('WEBGL_lose_context')?.loseContext(); // browsers have few
+  return Boolean(context);
+};
 
 function flattened({traces}) {
   const seen = (trace, fromSide) => ({

@@ -7,19 +7,22 @@ KINDS.lengths = (figure) => {
     type: 'scatter', mode: 'lines', x: band.x, y: band.y.map((y) => side * y), name: plain(band.name),
     line: {dash: 'dash', width: 1.6, color: COLOURS.grey}, showlegend: side > 0, hoverinfo: 'skip',
   })));
-  const series = figure.series.filter((one) => one.y.some((y) => y !== null)).map((one, index) => dots(one.x, one.y, {
-    name: plain(one.name),
-    text: (one.names || figure.names).map(plain),
-    marker: {
-      size: one.x.length > 150 ? 6 : 8,
-      symbol: (one.verdicts || []).length ? one.verdicts.map((verdict) => SYMBOLS[verdict] || one.symbol) : one.symbol,
-      color: (one.verdicts || []).length
-        ? one.verdicts.map((verdict) => (verdict === 'does_not_conform' ? COLOURS.red : colours[index % colours.length]))
-        : colours[index % colours.length],
-      line: {width: 1.4},
-    },
-    hovertemplate: `%{text}<br>%{x} mm: %{y} ${figure.unit}<extra>%{fullData.name}</extra>`,
-  }));
+  const series = figure.series.filter((one) => one.y.some((y) => y !== null)).map((one, index) => {
+    const own = colours[index % colours.length];
+    const judged = (one.verdicts || []).length > 0;
+    const color = judged ? one.verdicts.map((verdict) => (verdict === 'does_not_conform' ? COLOURS.red : own)) : own;
+    return dots(one.x, one.y, {
+      name: plain(one.name),
+      text: (one.names || figure.names).map(plain),
+      marker: {
+        size: one.x.length > 150 ? 6 : 8,
+        symbol: judged ? one.verdicts.map((verdict) => SYMBOLS[verdict] || one.symbol) : one.symbol,
+        color,
+        line: {width: 1.4, color},
+      },
+      hovertemplate: `%{text}<br>%{x} mm: %{y} ${figure.unit}<extra>%{fullData.name}</extra>`,
+    });
+  });
   return {
     traces: [...bands, ...series],
     layout: layout({

@@ -1,11 +1,13 @@
 // Deviations in the order of the placements; neighbours differ in mark and lightness.
 KINDS.placements = (figure) => {
-  const traces = figure.groups.map((group, index) => {
-    const inside = figure.x.map((x, i) => [x, figure.y[i]]).filter(([x]) => x >= group.begin && x < group.end);
+  // Two traces, however many placements there are: each costs time to draw.
+  const traces = [0, 1].map((odd) => {
+    const inside = figure.groups.flatMap((group, index) => (index % 2 === odd
+      ? figure.x.flatMap((x, i) => (x >= group.begin && x < group.end ? [[x, figure.y[i], plain(group.name)]] : [])) : []));
     return dots(inside.map(([x]) => x), inside.map(([, y]) => y), {
-      name: plain(group.name),
-      marker: {size: 5, symbol: index % 2 ? 'diamond-open' : 'circle', color: index % 2 ? COLOURS.orange : COLOURS.blue},
-      hovertemplate: `%{y} ${figure.unit}<extra>${plain(group.name)}</extra>`,
+      text: inside.map(([, , name]) => name),
+      marker: {size: 5, symbol: odd ? 'diamond-open' : 'circle', color: odd ? COLOURS.orange : COLOURS.blue},
+      hovertemplate: `%{y} ${figure.unit}<extra>%{text}</extra>`,
     });
   });
   const sparse = Math.ceil(figure.groups.length / 24); // names that fit below the axis
@@ -23,10 +25,10 @@ KINDS.placements = (figure) => {
       shapes: [
         ...[figure.rms, -figure.rms].filter((y) => y > 0 || figure.y.some((value) => value < 0))
           .map((y) => horizontal(y, 'dot', COLOURS.grey)),
-        ...figure.groups.slice(1).map((group) => ({
-          type: 'line', yref: 'paper', y0: 0, y1: 1, x0: group.begin - 0.5, x1: group.begin - 0.5,
-          line: {width: 1, color: '#d0d7de'},
-        })),
+        ...(figure.groups.length < 2 ? [] : [{
+          type: 'path', yref: 'paper', line: {width: 1, color: '#d0d7de'}, layer: 'below',
+          path: figure.groups.slice(1).map((group) => `M ${group.begin - 0.5},0 V 1`).join(' '),
+        }]),
       ],
     }),
   };

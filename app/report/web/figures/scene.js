@@ -11,7 +11,10 @@ const space = () => {
     camera: {eye: {x: 1.45, y: -1.45, z: 0.75}, center: {x: 0, y: 0, z: -0.16}},
   };
 };
-const spaceLayout = () => layout({scene: space(), showlegend: true, margin: {l: 0, r: 0, t: 30, b: 0}});
+const spaceLayout = () => layout({
+  scene: space(), showlegend: true, margin: {l: 0, r: 0, t: 30, b: 0},
+  legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', itemsizing: 'constant'},
+});
 
 KINDS.scene = (figure) => ({
   traces: [
@@ -29,9 +32,10 @@ KINDS.scene = (figure) => ({
   layout: spaceLayout(),
 });
 
+// Marks in space are letters of a font: 'x' is one that many machines lack.
 const VERDICTS = {
   conforms: {name: '✓ conforms', symbol: 'circle', color: COLOURS.green, size: 3},
-  does_not_conform: {name: '✗ does not conform', symbol: 'x', color: COLOURS.red, size: 3.5},
+  does_not_conform: {name: '✗ does not conform', symbol: 'cross', color: COLOURS.red, size: 9},
   nothing_proven: {name: '? nothing proven', symbol: 'diamond', color: COLOURS.orange, size: 4},
   not_judged: {name: 'not judged', symbol: 'circle-open', color: COLOURS.grey, size: 4},
 };
