@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "app/permitted.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -67,9 +68,7 @@ Expected<void> write_file(const std::string& path, const std::string& text) {
   if (file < 0) {
     return cannot_write(path);
   }
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const bool written = write_all(file, text) && ::fchmod(file, 0666 & ~mask) == 0 && ::fsync(file) == 0;
+  const bool written = write_all(file, text) && ::fchmod(file, permitted(0666)) == 0 && ::fsync(file) == 0;
   const int reason = errno;
   const bool closed = ::close(file) == 0;
   if (!written || !closed || std::rename(temporary.c_str(), target.c_str()) != 0) {

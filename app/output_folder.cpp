@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "app/output.h"
+#include "app/permitted.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -88,11 +89,9 @@ Expected<void> write_folder(const std::string& path, const FolderFiles& files, b
   if (::mkdtemp(temporary.data()) == nullptr) {
     return cannot_write(path);
   }
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
   std::error_code ignored;
   auto written = fill(temporary, files);
-  if (written && (::chmod(temporary.c_str(), 0777 & ~mask) != 0 || !put_in_place(temporary, target))) {
+  if (written && (::chmod(temporary.c_str(), permitted(0777)) != 0 || !put_in_place(temporary, target))) {
     written = cannot_write(path);
   }
   fs::remove_all(temporary, ignored);

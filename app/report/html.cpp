@@ -1,5 +1,7 @@
 #include "app/report/html.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/in_quotes.h"
@@ -9,6 +11,12 @@ namespace {
 
 constexpr std::size_t longest = 4000;
 constexpr std::size_t most_of_a_short_table = 12;
+
+std::string cell_markup(const Column& column, const std::string& cell) {
+  const char* kind = column.is_number ? " class=\"number\"" : column.is_whole ? " class=\"whole\"" : "";
+  return column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", kind, cell)
+                           : fmt::format("<td{}>{}</td>", kind, cell);
+}
 
 }  // namespace
 
@@ -56,28 +64,33 @@ void Table::add(const std::vector<std::string>& cells) {
 }
 
 void Table::add_markup(const std::vector<std::string>& cells, std::string_view row_class) {
-  rows_ += row_class.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", row_class);
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
-    const char* number = column.is_number ? " class=\"number\"" : column.is_whole ? " class=\"whole\"" : "";
-    rows_ += column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", number, cells[i])
-                               : fmt::format("<td{}>{}</td>", number, cells[i]);
-  }
-  rows_ += "</tr>\n";
-  ++count_;
+  rows_.push_back({cells, std::string(row_class)});
 }
 
 std::string Table::markup(std::string_view attributes) const {
-  std::string head;
-  for (const Column& column : columns_) {
-    head +=
-        fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
+  std::vector<std::size_t> shown;
+  std::string head, body;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    const auto says_nothing = [&](const Row& row) { return row.cells.at(i) == "–"; };
+    if (!column.may_go || !std::all_of(rows_.begin(), rows_.end(), says_nothing)) {
+      shown.push_back(i);
+      head +=
+          fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
+    }
+  }
+  for (const Row& row : rows_) {
+    body += row.row_class.empty() ? "<tr>" : fmt::format("<tr class=\"{}\">", row.row_class);
+    for (const std::size_t i : shown) {
+      body += cell_markup(columns_[i], row.cells.at(i));
+    }
+    body += "</tr>\n";
   }
   return fmt::format(
       "<div class=\"table{}\"><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
       "</table></div>\n",
-      count_ <= most_of_a_short_table ? " short" : "", attributes.empty() ? "" : " ", attributes, caption_, head,
-      rows_);
+      rows_.size() <= most_of_a_short_table ? " short" : "", attributes.empty() ? "" : " ", attributes, caption_, head,
+      body);
 }
 
 }  // namespace artcal::html

@@ -25,6 +25,7 @@ struct Column {
   bool is_number = true;    ///< set to the right
   bool is_heading = false;  ///< its cells name their rows
   bool is_whole = false;    ///< its cells are words that are not broken into lines
+  bool may_go = false;      ///< left out where every cell is "–"
 };
 
 /// A table whose head is repeated on each page of paper; a short one stays on one page.
@@ -41,8 +42,11 @@ class Table {
  private:
   std::string caption_;
   std::vector<Column> columns_;
-  std::string rows_;
-  std::size_t count_ = 0;
+  struct Row {
+    std::vector<std::string> cells;  ///< markup
+    std::string row_class;
+  };
+  std::vector<Row> rows_;
 };
 
 }  // namespace artcal::html

@@ -65,7 +65,7 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   const LeftOut left = left_out_of(result);
   const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
   html::Table table("Deviation of the readings, mm",
-                    {{"", false, true}, {"before"}, {"after"}, {"placement left out"}});
+                    {{"", false, true}, {"before"}, {"after"}, {"placement left out", true, false, false, true}});
   table.add({"root mean square", mm(before.at("overall").at("rms_mm")), mm(after.at("overall").at("rms_mm")),
              left_or_dash(left.rms)});
   table.add({"largest", mm(before.at("overall").at("maximum_mm")), mm(after.at("overall").at("maximum_mm")),
@@ -91,7 +91,7 @@ void write_placements(const Json& result, Sheet& sheet) {
                                                         {"before"},
                                                         {"after"},
                                                         {"largest after"},
-                                                        {"left out"}});
+                                                        {"left out", true, false, false, true}});
   const Json& left_out = result.at("left_out");
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Json& row = after[i];

@@ -38,6 +38,8 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
   for (const Json* left : left_out) {
     largest = std::max(largest, left == nullptr ? 0.0 : std::abs(left->at("error_mm").get<double>()));
   }
+  const bool any_left_out =
+      std::any_of(left_out.begin(), left_out.end(), [](const Json* left) { return left != nullptr; });
   const DrawnUnit unit = drawn_unit(largest);
   Json x = Json::array(), fitted = Json::array(), unseen = Json::array(), names = Json::array();
   for (std::size_t i = 0; i < after.size(); ++i) {
@@ -49,17 +51,17 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
     names.push_back(shown(
         fmt::format("{}: {} – {}", text_in(length, "placement"), text_in(length, "first"), text_in(length, "second"))));
   }
-  return {
-      "Errors of the certified lengths over length",
-      fmt::format("Measured less certified; the largest is {} mm. Full circles: the identified arm; open squares: an "
-                  "arm identified without the placement.",
-                  mm(largest)),
-      {{"kind", "lengths"},
-       {"unit", unit.name},
-       {"names", names},
-       {"series",
-        {{{"name", "identified arm"}, {"symbol", "circle"}, {"x", x}, {"y", fitted}},
-         {{"name", "placement left out"}, {"symbol", "square-open"}, {"x", x}, {"y", unseen}}}}}};
+  return {"Errors of the certified lengths over length",
+          fmt::format("Measured less certified; the largest is {} mm.{}", mm(largest),
+                      any_left_out ? " Full circles: the identified arm; open squares: an arm identified without the "
+                                     "placement."
+                                   : ""),
+          {{"kind", "lengths"},
+           {"unit", unit.name},
+           {"names", names},
+           {"series",
+            {{{"name", "identified arm"}, {"symbol", "circle"}, {"x", x}, {"y", fitted}},
+             {{"name", "placement left out"}, {"symbol", "square-open"}, {"x", x}, {"y", unseen}}}}}};
 }
 
 }  // namespace
@@ -67,9 +69,13 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
 void write_length_errors(const Json& identification, Sheet& sheet) {
   const Json& before = identification.at("before").at("lengths");
   const Json& after = identification.at("after").at("lengths");
-  html::Table table(
-      "Certified lengths as the arm measures them, errors in mm",
-      {{"placement", false, true}, {"between", false}, {"certified"}, {"before"}, {"after"}, {"left out"}});
+  html::Table table("Certified lengths as the arm measures them, errors in mm",
+                    {{"placement", false, true},
+                     {"between", false},
+                     {"certified"},
+                     {"before"},
+                     {"after"},
+                     {"left out", true, false, false, true}});
   std::vector<const Json*> left_out;
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Json& length = after[i];

@@ -155,6 +155,22 @@ TEST_F(BatchReport, KilledAtAnyMomentARerunHasEveryPage) {
   EXPECT_GT(killed, 2);
 }
 
+TEST_F(BatchReport, ManyPagesAtOnceLeaveTheUmaskAlone) {
+  file_away_quick_ones(40);
+  const Ended ended = run_command(
+      {"sh", "-c", "umask 027; exec \"$0\" batch archive --store s -q --jobs 8 --report i.html", ARTCAL_PROGRAM});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  for (const auto& entry : fs::directory_iterator(file("i-reports"))) {
+    EXPECT_EQ(entry.status().permissions(), fs::perms(0640)) << entry.path();
+  }
+}
+
+TEST_F(BatchReport, TheListPrintsOnItsSide) {
+  file_away_quick_ones(3);
+  ASSERT_EQ(batch({"--store", "s", "-q", "--report", "i.html"}).exit_code, 0);
+  EXPECT_THAT(print("i.html"), ::testing::ContainsRegex("Page size: +841\\.[0-9]+ x 59[45]"));
+}
+
 TEST_F(BatchReport, APageThatCannotBeWrittenStopsNothing) {
   file_away_quick_ones(4);
   ASSERT_EQ(batch({"--store", "s", "-q", "--report", "index.html"}).exit_code, 0);

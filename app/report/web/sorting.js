@@ -20,7 +20,7 @@
       other.removeAttribute('aria-sort');
     }
     head.setAttribute('aria-sort', descends ? 'descending' : 'ascending');
-    const body = table.tBodies[0];
+    const [body] = table.tBodies;
     const rows = Array.from(body.rows);
     rows.sort((a, b) => compare(a.cells[column], b.cells[column], descends ? -1 : 1));
     body.append(...rows);

@@ -31,6 +31,16 @@ TEST(HtmlData, NothingInItEndsTheScript) {
   EXPECT_EQ(read["value"], 0.1);
 }
 
+TEST(HtmlTable, AColumnThatMayGoGoesWhereItSaysNothing) {
+  html::Table table("Lengths", {{"name", false, true}, {"after"}, {"left out", true, false, false, true}});
+  table.add({"A", "–", "–"});
+  EXPECT_THAT(table.markup(), HasSubstr("after"));
+  EXPECT_THAT(table.markup(), Not(HasSubstr("left out")));
+  table.add({"B", "1", "2"});
+  EXPECT_THAT(table.markup(), HasSubstr("left out"));
+  EXPECT_THAT(table.markup(), HasSubstr("<td class=\"number\">–</td><td class=\"number\">–</td></tr>"));
+}
+
 TEST(HtmlTable, HasACaptionAHeadAndNamesItsRows) {
   html::Table table("Values & limits", {{"name", false, true}, {"value"}});
   EXPECT_TRUE(table.empty());
