@@ -40,7 +40,7 @@ ReportPages::ReportPages(const std::string& index, Kind kind)
 
 void ReportPages::begin() {
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directory(folder_, error);
   if (error) {
     cannot_begin_ = Error{ErrorCode::BadInput, "the folder of the reports cannot be made: " + error.message(), folder_};
     return;

@@ -185,7 +185,11 @@ TEST_F(BatchReport, APageThatCannotBeWrittenStopsNothing) {
   const std::string page = text_of("index.html");
   EXPECT_THAT(links_of(page), SizeIs(3));
   EXPECT_THAT(page, HasSubstr("no report: index-reports/" + first + ": this is a folder"));
-  // A folder that cannot even be made.
+  // A folder that is not there is not made: its name may be a mistake.
+  EXPECT_EQ(batch({"--store", "v", "-q", "--report", "gone/index.html"}).exit_code, 3);
+  EXPECT_FALSE(fs::exists(file("gone")));
+  EXPECT_EQ(dump("v"), dump("s"));
+  // A folder that cannot be made.
   write("other-reports", "");
   const Ended none = batch({"--store", "u", "-q", "--report", "other.html"});
   EXPECT_EQ(none.exit_code, 3);
