@@ -129,6 +129,17 @@ std::string why_no_file(const std::string& file) {
   return fmt::format("{}: {}", folder.string(), std::strerror(errno));
 }
 
+std::string to_be_undone(const std::string& file) {
+  std::error_code ignored;
+  const std::string journal = file + "-journal";
+  return !file.empty() && std::filesystem::exists(journal, ignored)
+             ? fmt::format(
+                   "; a run that was killed left {}, which must be beside it and which the next run undoes, where "
+                   "both can be written",
+                   std::filesystem::path(journal).filename().string())
+             : "";
+}
+
 }  // namespace
 
 struct Database::Connection {
@@ -170,7 +181,8 @@ Expected<Database> Database::open(const std::string& where, Access access) {
     }
   } catch (const std::exception& error) {
     const std::string reason = place->is_postgresql ? "" : why_no_file(place->file);
-    return bad_input(fmt::format("the store cannot be opened: {}", reason.empty() ? reason_of(error) : reason),
+    return bad_input(fmt::format("the store cannot be opened: {}{}", reason.empty() ? reason_of(error) : reason,
+                                 to_be_undone(place->file)),
                      place->name);
   }
   return Database(std::move(connection));

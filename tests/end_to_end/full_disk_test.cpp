@@ -1,5 +1,7 @@
 // Disks that are really full, and disks that can only be read: small ones in memory, mounted where no other process
 // sees them (a mount namespace), gone when the script ends.
+#include <sqlite3.h>
+
 #include <gmock/gmock.h>
 
 #include "tests/end_to_end/archive.h"
@@ -52,6 +54,31 @@ TEST_F(FullDisk, AStoreKeepsWhatWasWrittenAndGoesOnWhenThereIsRoom) {
     EXPECT_EQ(count_of(text_of("kept.dump"), "[\"files\",") % 64, 0) << "whole transactions";
     EXPECT_EQ(dump("grown.sqlite"), dump("whole.sqlite"));
   }
+}
+
+TEST_F(FullDisk, WhatAKilledRunLeftIsUndoneWhereItCanBe) {
+  file_away_quick_ones(60);
+  ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 0);
+  const std::string whole = dump("s.sqlite");
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file("s.sqlite").c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database,
+                         "PRAGMA cache_size = 1; BEGIN; UPDATE parameters SET identified = 0; UPDATE inputs SET "
+                         "path = path || 'somewhere else'",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  // As they lie there where the process is killed now.
+  for (const char* name : {"s.sqlite", "s.sqlite-journal"}) {
+    std::filesystem::copy_file(file(name), file(std::string("killed-") + name));
+  }
+  sqlite3_close(database);
+  const Ended ended = on_disk("8m",
+                              "cp killed-s.sqlite disk/s.sqlite; cp killed-s.sqlite-journal disk/s.sqlite-journal\n"
+                              "mount -o remount,ro disk; code artcal store dump disk/s.sqlite\n"
+                              "mount -o remount,rw disk; artcal store dump disk/s.sqlite >undone.dump; ls disk");
+  EXPECT_EQ(ended.out, "code 3\ns.sqlite\n");
+  EXPECT_THAT(ended.err, HasSubstr("a run that was killed left s.sqlite-journal"));
+  EXPECT_EQ(text_of("undone.dump"), whole);
 }
 
 TEST_F(FullDisk, AMergeLeavesTheStoreAsItWas) {
