@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/covariance_matrix.h"
 #include "acquisition/joint_error_keys.h"
 #include "acquisition/parameters.h"
 #include "core/in_quotes.h"
@@ -121,6 +122,11 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   }
   for (Eigen::Index i = 0; i < size; ++i) {
     known.covariance.row(i) = Eigen::RowVectorXd::Map(rows[i].data(), size);
+  }
+  if (!is_covariance(known.covariance)) {
+    table.fail("covariance",
+               "the covariance is none: it is not symmetric, or some combination of parameters has a variance below "
+               "zero");
   }
   return known;
 }

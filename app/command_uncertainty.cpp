@@ -1,8 +1,6 @@
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 
 #include "acquisition/arm_file.h"
 #include "app/command.h"
@@ -36,33 +34,12 @@ Expected<double> noise_of(const std::string& text, const char* option,
   return *value;
 }
 
-// Its columns have units of their own: only after each is measured in its own standard deviation does an
-// eigenvalue below zero mean something.
-bool is_covariance(const Eigen::MatrixXd& matrix) {
-  const Eigen::VectorXd u = matrix.diagonal().cwiseMax(0.0).cwiseSqrt();
-  if (!matrix.allFinite() || (matrix.size() > 0 && !(u.minCoeff() > 0.0))) {
-    return false;
-  }
-  const Eigen::MatrixXd correlation = u.cwiseInverse().asDiagonal() * matrix * u.cwiseInverse().asDiagonal();
-  if (!correlation.isApprox(correlation.transpose(), 1e-9)) {
-    return false;
-  }
-  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(correlation).eigenvalues();
-  return matrix.size() == 0 || eigenvalues.minCoeff() > -1e-9;
-}
-
 Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& file) {
   if (!file.identification) {
     return bad_input(
         "this arm carries no covariance, so nothing is known of its uncertainty; `artcal identify RECORDING -o ARM` "
         "writes one that does",
         file.input.path);
-  }
-  if (!is_covariance(file.identification->covariance)) {
-    return bad_input(
-        "the covariance is none: it is not symmetric, or some combination of parameters has a variance "
-        "below zero",
-        file.input.path + ", [identified]");
   }
   UncertaintySources sources;
   const auto all = all_parameters(file.arm);

@@ -56,8 +56,8 @@ Expected<MonteCarloCount> MonteCarlo::begin(std::int64_t first) const {
     }
     if (converged < pilot_trials / 2) {
       return no_solution(fmt::format(
-          "only {} of {} identifications from readings drawn anew converged: these readings hardly determine the arm; "
-          "hold the parameters that `artcal coupling` calls weak",
+          "only {} of {} identifications from readings drawn anew converged, to an arm that measures: these readings "
+          "hardly determine the arm; hold the parameters that `artcal coupling` calls weak",
           converged, pilot_trials));
     }
     const double mean = sum / converged;
@@ -111,8 +111,9 @@ Expected<void> MonteCarlo::run(MonteCarloCount& count, const TrialsWanted& wante
     const std::int64_t made = count.end - count.first;
     if (made >= 100 && 100 * count.not_converged > made) {
       return no_solution(fmt::format(
-          "{} of {} identifications from readings drawn anew did not converge (trials {}, …), more than one in a "
-          "hundred: what the others say would be too good; hold the parameters that `artcal coupling` calls weak",
+          "{} of {} identifications from readings drawn anew did not converge, or not to an arm that finds balls by "
+          "points on them (trials {}, …), more than one in a hundred: what the others say would be too good; hold the "
+          "parameters that `artcal coupling` calls weak",
           count.not_converged, made, count.not_converged_first.front()));
     }
     if (!wanted.number && count.end == round_end && !stopped()) {

@@ -7,6 +7,7 @@ namespace artcal {
 namespace {
 
 constexpr double probability = 0.95;
+constexpr double beyond_chance = 3.0;  // standard deviations that u has from the number of trials
 
 }  // namespace
 
@@ -29,7 +30,9 @@ std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& qua
                                        low.value_or(0.0), high.value_or(0.0)});
     result.stands = low && high && result.tolerance <= result.tolerance_wanted;
     const auto& linear = quantities[i].u_linear;
-    result.differs_from_linear = linear && *linear > 0.0 && std::abs(result.u / *linear - 1.0) > 0.1;
+    const double off = linear ? std::abs(result.u - *linear) : 0.0;
+    result.differs_from_linear =
+        linear && *linear > 0.0 && off > 0.1 * *linear && off > beyond_chance * distribution.error_of_deviation();
     all.push_back(result);
   }
   return all;

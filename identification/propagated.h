@@ -18,7 +18,7 @@ struct PropagatedQuantity {
   double tolerance = 0.0;
   double tolerance_wanted = 0.0;     ///< half of the last of the wanted digits of u
   bool stands = false;               ///< tolerance ≤ tolerance_wanted
-  bool differs_from_linear = false;  ///< u differs by more than a tenth from the first-order one
+  bool differs_from_linear = false;  ///< u by more than a tenth of the first-order one, and beyond chance
 };
 
 /// REQUIRES: two trials or more.

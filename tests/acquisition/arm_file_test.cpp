@@ -159,7 +159,8 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
         known->parameters.push_back(parameter.name);
       }
       const auto size = static_cast<Eigen::Index>(known->parameters.size());
-      known->covariance = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return 1e-9 * random.normal(); });
+      const Eigen::MatrixXd root = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return 1e-5 * random.normal(); });
+      known->covariance = root * root.transpose();
     }
     const auto file = read(arm_file_text(arm, known));
     ASSERT_TRUE(file) << file.error().text() << "\n" << arm_file_text(arm, known);
@@ -255,6 +256,13 @@ TEST_F(ArmFileTest, CovarianceMustFitItsParameters) {
   EXPECT_THAT(refusal(head + "parameters = [\"a1\", \"a1\"]\ncovariance = [[1, 0], [0, 1]]\n"), HasSubstr("twice"));
   EXPECT_THAT(refusal(head + "parameters = []\ncovariance = [[1]]\n"), HasSubstr("not 0 rows of 0"));
   EXPECT_THAT(refusal(head + "parameters = [\"a1\"]\ncovariance = [[inf]]\n"), HasSubstr("finite"));
+  // Symmetric, no variance of zero or below, none of a combination below zero, whatever the units.
+  EXPECT_EQ(refusal(head + "parameters = [\"a1\", \"theta1\"]\ncovariance = [[1, 9e-7], [9e-7, 1e-12]]\n"), "accepted");
+  for (const char* none :
+       {"[[1, 0.1], [0.2, 1]]", "[[1, 0], [0, 0]]", "[[1, 0], [0, -1]]", "[[1, 1.1e-6], [1.1e-6, 1e-12]]"}) {
+    const std::string text = head + "parameters = [\"a1\", \"theta1\"]\ncovariance = " + none + "\n";
+    EXPECT_THAT(refusal(text), HasSubstr("the covariance is none")) << none;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "identification/monte_carlo.h"
 
 #include <cmath>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -304,6 +305,18 @@ TEST(MonteCarlo, IsWiderWhereFewResidualsToldTheNoise) {
     // Of the deviation of a t-distribution: its excess kurtosis is 6/(ν − 4).
     const double error = std::sqrt((2.0 + 6.0 / (nu - 4.0)) / 4.0 / number);
     EXPECT_NEAR(results[i].u / *quantity.u_linear / std::sqrt(nu / (nu - 2.0)), 1.0, 4.0 * error) << quantity.name;
+  }
+}
+
+TEST(MonteCarlo, SaysThatFirstOrderDiffersWhereTheTrialsTellIt) {
+  FollowedQuantity quantity;
+  quantity.u_linear = 1.0;
+  for (const auto& [trials, spread, differs] :
+       {std::tuple{50, 1.2, false}, std::tuple{5000, 1.2, true}, std::tuple{5000, 0.8, true}, std::tuple{50, 3.0, true},
+        std::tuple{100'000, 1.05, false}}) {
+    MonteCarloCount count{0, trials, 0, {}, {Distribution(Ruler{0.0, 1.0})}};
+    for (int i = 0; i < trials; ++i) count.distributions[0].add(spread * RandomStream(1, "values", i).normal());
+    EXPECT_EQ(summary({quantity}, count)[0].differs_from_linear, differs) << trials << ", " << spread;
   }
 }
 
