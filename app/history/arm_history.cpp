@@ -1,7 +1,6 @@
 #include "app/history/arm_history.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -146,14 +145,6 @@ void read_calibrations(Reader& reader, ArmHistory& history) {
   }
 }
 
-VerificationStep value_step(const std::vector<PastVerification>& all, std::size_t then, std::size_t now) {
-  VerificationStep step{then, now, compare(all[now].values, all[then].values), {}};
-  const auto& earlier = all[then].entry.certificates;
-  const auto& later = all[now].entry.certificates;
-  std::set_intersection(earlier.begin(), earlier.end(), later.begin(), later.end(), std::back_inserter(step.in_common));
-  return step;
-}
-
 std::map<std::string, std::vector<std::size_t>> by_standard(const std::vector<PastVerification>& all) {
   std::map<std::string, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -174,10 +165,10 @@ void read_verifications(Reader& reader, ArmHistory& history) {
   }
   for (const auto& [standard, places] : by_standard(all)) {
     for (std::size_t i = 1; i < places.size(); ++i) {
-      history.verification_steps.push_back(value_step(all, places[i - 1], places[i]));
+      history.verification_steps.push_back(step_between(all, places[i - 1], places[i]));
     }
     if (places.size() > 2) {
-      history.verifications_overall.push_back(value_step(all, places.front(), places.back()));
+      history.verifications_overall.push_back(step_between(all, places.front(), places.back()));
     }
   }
 }
@@ -191,29 +182,6 @@ std::string arms_in_words(Reader& reader) {
 }
 
 }  // namespace
-
-std::size_t VerificationStep::told() const {
-  return static_cast<std::size_t>(std::count_if(check.drifts.begin(), check.drifts.end(),
-                                                [](const Drift& drift) { return drift.degrees_of_freedom > 0; }));
-}
-
-std::size_t VerificationStep::significant() const {
-  return static_cast<std::size_t>(
-      std::count_if(check.drifts.begin(), check.drifts.end(), [](const Drift& drift) { return drift.significant; }));
-}
-
-std::string change_in_words(const VerificationStep& step) {
-  const std::size_t all = step.check.drifts.size(), told = step.told(), changed = step.significant();
-  if (all == 0) {
-    return "no value is in both";
-  }
-  if (told == 0) {
-    return "without repeats nothing can be called significant";
-  }
-  return (changed > 0 ? fmt::format("{} of {} values changed significantly", changed, told)
-                      : fmt::format("no significant change of {} values", told)) +
-         (told < all ? fmt::format("; {} that were not repeated are not judged", all - told) : "");
-}
 
 Expected<ArmHistory> read_history(Store& store, const std::string& arm) {
   Reader reader(store);

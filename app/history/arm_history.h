@@ -93,4 +93,7 @@ Expected<ArmHistory> read_history(Store& store, const std::string& arm);
 /// What changed from `then` to `now`.
 CalibrationStep step_between(const Calibration& then, const Calibration& now);
 
+/// The same of verifications, by their places among all.
+VerificationStep step_between(const std::vector<PastVerification>& all, std::size_t then, std::size_t now);
+
 }  // namespace artcal
