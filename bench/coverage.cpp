@@ -2,7 +2,8 @@
 // noise, errors of the certificate), identified, and the truth looked up in the intervals of parameters, points and
 // lengths: first order over all recordings, Monte Carlo over the first of them. The truth of what is held is held, so
 // that both arms stand in the same frame.
-//   coverage [recordings] [recordings with Monte Carlo] [trials of each]
+//   coverage [recordings] [recordings with Monte Carlo] [trials of each] [model]
+// A model such as dh+gain+coupling: the arms have such errors too (of gain, coupling, gravity, radius).
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/sweep.h"
 #include "artefacts/postures.h"
 #include "artefacts/simulation/simulate.h"
 #include "identification/identify.h"
@@ -27,10 +27,13 @@ namespace {
 
 constexpr double k_95 = 1.959964;
 
-SimulationPlan plan_of(std::uint64_t seed) {
+SimulationPlan plan_of(std::uint64_t seed, const Model& model) {
   SimulationPlan plan = testing::plan_for(testing::bar_of(FeatureKind::Sphere), 20);
   plan.nominal.probes[0].on_axis = true;
   plan.nominal.probes[0].tip_in_last = {0.0, 0.0, 183.5};
+  for (Joint& joint : plan.nominal.joints) {
+    joint.mass = 1.5;
+  }
   plan.arm.arm = plan.nominal;
   plan.placements.clear();
   for (int i = 0; i < 7; ++i) {
@@ -40,6 +43,12 @@ SimulationPlan plan_of(std::uint64_t seed) {
   }
   plan.probings[0].placements = {0, 1, 2, 3, 4, 5, 6};
   plan.errors = {0.3, 2e-3, 0.0, 0.0, {"a6", "d6", "d1", "theta1"}};
+  for (const ParameterGroup group : model) {
+    plan.errors.gain += group == ParameterGroup::Gain ? 2e-4 : 0.0;
+    plan.errors.coupling += group == ParameterGroup::Coupling ? 1e-4 : 0.0;
+    plan.errors.compliance += group == ParameterGroup::Gravity ? 10.0 * units::arcsecond / 1e3 : 0.0;
+    plan.errors.radius += group == ParameterGroup::Radius ? 0.02 : 0.0;
+  }
   for (VirtualJoint& joint : plan.arm.joints) {
     joint.encoder_noise = 2.0 * units::arcsecond;
   }
@@ -90,12 +99,6 @@ class Tally {
   std::map<std::string, std::map<int, std::pair<int, int>>> tally_;
 };
 
-Eigen::Vector3d tip(const Arm& arm, const Eigen::VectorXd& q) {
-  std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
-  joint_sines({q.data(), static_cast<std::size_t>(q.size())}, sines);
-  return Sweep(arm, {}, 0).tip_in_base(sines);
-}
-
 void first_order(const Arm& truth, const Identification& found, Tally& tally) {
   std::vector<Parameter> free;
   for (const int i : found.free) {
@@ -110,13 +113,13 @@ void first_order(const Arm& truth, const Identification& found, Tally& tally) {
     const std::array<Eigen::VectorXd, 2> q{random_posture(found.arm, random), random_posture(found.arm, random)};
     const UncertainTip first = arm.tip(q[0]);
     const UncertainTip second = arm.tip(q[1]);
-    const Eigen::Vector3d off = first.in_base - tip(truth, q[0]);
+    const Eigen::Vector3d off = first.in_base - tip_at(truth, 0, q[0]);
     const Eigen::Matrix3d covariance = arm.of_point(first);
     for (int k = 0; k < 3; ++k) {
       tally.add("first order: points", 3 * i + k, std::abs(off[k]) < k_95 * std::sqrt(covariance(k, k)));
     }
     const double length = (second.in_base - first.in_base).norm();
-    const double true_length = (tip(truth, q[1]) - tip(truth, q[0])).norm();
+    const double true_length = (tip_at(truth, 0, q[1]) - tip_at(truth, 0, q[0])).norm();
     tally.add("first order: lengths", i, std::abs(length - true_length) < k_95 * arm.of_length(first, second));
   }
 }
@@ -137,11 +140,11 @@ void monte_carlo(const Simulation& simulation, const Constraints& constraints, c
     true_values.push_back(value(truth, found.parameters[i].parameter));
   }
   for (const auto& point : plan->points) {
-    const Eigen::Vector3d there = tip(truth, point.q);
+    const Eigen::Vector3d there = tip_at(truth, 0, point.q);
     true_values.insert(true_values.end(), there.begin(), there.end());
   }
   for (const auto& length : plan->lengths) {
-    true_values.push_back((tip(truth, length.q[1]) - tip(truth, length.q[0])).norm());
+    true_values.push_back((tip_at(truth, 0, length.q[1]) - tip_at(truth, 0, length.q[0])).norm());
     true_values.push_back(0.0);  // E_Uni has no truth to hold
   }
   const auto results = summary(made->quantities(), count);
@@ -158,7 +161,7 @@ void monte_carlo(const Simulation& simulation, const Constraints& constraints, c
   }
 }
 
-int run(int recordings, int with_monte_carlo, std::int64_t trials) {
+int run(int recordings, int with_monte_carlo, std::int64_t trials, const Model& model) {
   std::atomic<int> next{0};
   std::mutex counting;
   Tally tally;
@@ -166,7 +169,7 @@ int run(int recordings, int with_monte_carlo, std::int64_t trials) {
   int flagged = 0;
   const auto work = [&] {
     for (int i = next++; i < recordings; i = next++) {
-      const SimulationPlan plan = plan_of(static_cast<std::uint64_t>(i) + 1);
+      const SimulationPlan plan = plan_of(static_cast<std::uint64_t>(i) + 1, model);
       const auto simulation = simulate(plan, 1);
       Tally own;
       bool done = false;
@@ -176,6 +179,7 @@ int run(int recordings, int with_monte_carlo, std::int64_t trials) {
         IdentifyOptions options;
         options.noise = Noise{{}, 2.0 * units::arcsecond, 0.003};
         options.leave_out = false;
+        options.model = model;
         if (const auto found = identify(simulation->recording, constraints, options)) {
           done = true;
           found_something = !found->model_study.findings.empty();
@@ -194,8 +198,8 @@ int run(int recordings, int with_monte_carlo, std::int64_t trials) {
   auto other = std::async(std::launch::async, work);
   work();
   other.get();
-  fmt::print("{} recordings, {} not identified; a sound model was doubted in {}; Monte Carlo of {} trials on {}\n",
-             recordings, failed, flagged, trials, with_monte_carlo);
+  fmt::print("{}: {} recordings, {} not identified; a sound model was doubted in {}; Monte Carlo of {} trials on {}\n",
+             model_text(model), recordings, failed, flagged, trials, with_monte_carlo);
   tally.print();
   return 0;
 }
@@ -205,5 +209,10 @@ int run(int recordings, int with_monte_carlo, std::int64_t trials) {
 
 int main(int argc, char** argv) {
   const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
-  return artcal::run(number(1, 1000), number(2, 200), number(3, 1000));
+  const auto model = artcal::model_request(argc > 4 ? argv[4] : "dh");
+  if (!model || model->automatic) {
+    fmt::print(stderr, "no model: {}\n", argv[4]);
+    return 2;
+  }
+  return artcal::run(number(1, 1000), number(2, 200), number(3, 1000), model->groups);
 }
