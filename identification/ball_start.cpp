@@ -1,7 +1,6 @@
 #include "identification/ball_start.h"
 
 #include <cmath>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -11,18 +10,31 @@ namespace {
 
 constexpr int most_iterations = 50;
 
-// |p − c|² = ρ² less its mean, linear in c: 2 pᵀc + constant = |p|² − ρ²; p from the points' own mean.
-std::optional<Eigen::Vector3d> linear_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size) {
-  Eigen::MatrixXd a(p.cols(), 4);
-  a.leftCols<3>() = 2.0 * p.transpose();
-  a.col(3).setConstant(size);
-  const Eigen::VectorXd b = p.colwise().squaredNorm().transpose() - rho.cwiseAbs2();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a);
+/// Points from their own mean, and where a ball's centre is by equations that are linear in it.
+struct Centred {
+  Eigen::Vector3d mean;
+  Eigen::Matrix3Xd p;
+  double size = 0.0;
+  Eigen::Vector3d start;
+};
+
+// |p − c|² = ρ² less its mean, linear in c: 2 pᵀc + constant = |p|² − ρ². Nothing where that does not tell c.
+std::optional<Centred> centred(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& rho) {
+  Centred centred;
+  centred.mean = points.rowwise().mean();
+  centred.p = points.colwise() - centred.mean;
+  centred.size = centred.p.norm() / std::sqrt(static_cast<double>(points.cols()));
+  Eigen::MatrixX4d a(points.cols(), 4);
+  a.leftCols<3>() = 2.0 * centred.p.transpose();
+  a.col(3).setConstant(centred.size);
+  const Eigen::VectorXd b = centred.p.colwise().squaredNorm().transpose() - rho.cwiseAbs2();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixX4d> qr(a);
   qr.setThreshold(1e-4);
-  if (p.cols() < 4 || qr.rank() < 4) {
+  if (points.cols() < 4 || qr.rank() < 4) {
     return std::nullopt;
   }
-  return Eigen::Vector3d(qr.solve(b).head<3>());
+  centred.start = qr.solve(b).head<3>();
+  return centred;
 }
 
 struct Fitted {
@@ -83,42 +95,39 @@ std::optional<Fitted> refine_ball(const Eigen::Matrix3Xd& p, const Eigen::Vector
   return Fitted{ball, miss.squaredNorm()};
 }
 
-// The best of the fits begun at the linear centre and, because readings on half a ball that scatter by a good
-// part of its radius fit one on the wrong side of them as well, on either side of the readings.
-std::optional<Ball> best_fit(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& rho, bool addend_is_free) {
-  const Eigen::Vector3d mean = points.rowwise().mean();
-  const Eigen::Matrix3Xd p = points.colwise() - mean;
-  const double size = p.norm() / std::sqrt(static_cast<double>(p.cols()));
-  const auto start = linear_centre(p, rho, size);
-  if (!start) {
-    return std::nullopt;
-  }
-  std::vector<Eigen::Vector3d> starts{*start};
-  if (!addend_is_free) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p * p.transpose());
+// The best of the fits begun at the linear centre and, because readings on half a ball that scatter by a good part of
+// its radius fit one on the wrong side of them as well, on either side of the readings. Not where the first leaves
+// less than a tenth of how far the readings are from lying in a plane: two balls of one size can only both pass that
+// near through readings that lie in the plane in which they meet.
+std::optional<Eigen::Vector3d> best_centre(const Centred& points, const Eigen::VectorXd& rho) {
+  std::optional<Fitted> best = refine_centre(points.p, rho, points.size, points.start);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(points.p * points.p.transpose());
+  if (!best || best->squares > 0.01 * eigen.eigenvalues()[0]) {
     const Eigen::Vector3d aside = 0.5 * rho.mean() * eigen.eigenvectors().col(0);
-    starts.insert(starts.end(), {aside, -aside});
-  }
-  std::optional<Fitted> best;
-  for (const Eigen::Vector3d& centre : starts) {
-    const auto fit = addend_is_free ? refine_ball(p, rho, size, {centre, 0.0}) : refine_centre(p, rho, size, centre);
-    // The first stays unless another is clearly better, so that the digits do not depend on rounding.
-    if (fit && (!best || fit->squares < (1.0 - 1e-6) * best->squares)) {
-      best = fit;
+    for (const Eigen::Vector3d& centre : {aside, Eigen::Vector3d(-aside)}) {
+      const auto fit = refine_centre(points.p, rho, points.size, centre);
+      // The first stays unless another is clearly better, so that the digits do not depend on rounding.
+      if (fit && (!best || fit->squares < (1.0 - 1e-6) * best->squares)) {
+        best = fit;
+      }
     }
   }
-  return best ? std::optional(Ball{best->ball.centre + mean, best->ball.radius}) : std::nullopt;
+  return best ? std::optional<Eigen::Vector3d>(best->ball.centre) : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances) {
-  const auto ball = best_fit(points, distances, false);
-  return ball ? std::optional(ball->centre) : std::nullopt;
+  const auto about_mean = centred(points, distances);
+  const auto centre = about_mean ? best_centre(*about_mean, distances) : std::nullopt;
+  return centre ? std::optional<Eigen::Vector3d>(*centre + about_mean->mean) : std::nullopt;
 }
 
 std::optional<Ball> ball_touched_at(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& tip_radii) {
-  return best_fit(points, tip_radii, true);
+  const auto about_mean = centred(points, tip_radii);
+  const auto fit =
+      about_mean ? refine_ball(about_mean->p, tip_radii, about_mean->size, {about_mean->start, 0.0}) : std::nullopt;
+  return fit ? std::optional(Ball{fit->ball.centre + about_mean->mean, fit->ball.radius}) : std::nullopt;
 }
 
 }  // namespace artcal

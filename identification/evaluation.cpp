@@ -72,21 +72,21 @@ double length_between(const Measured& from, const Measured& to, Demand demand) {
 
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm) {
   const System system = make_system(recording, constraints, arm, {});
-  const auto unknowns = settle(system, arm, recording);
+  const auto all = all_tips(system, arm);
+  const auto unknowns = settle(system, arm, recording, all);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
-  const auto sweeps = sweeps_of(system, arm);
   Evaluation evaluation;
   std::map<std::pair<int, int>, Sum> placements;
   std::map<int, Sum> artefacts;
   Sum overall;
   std::vector<Measured> measured;
-  for (const auto& feature : constraints.features) {
+  for (const Tips& tips : all) {
+    const FeatureConstraint& feature = *tips.feature;
     const GroupState none;
     const GroupState& group = feature.group < 0 ? none : unknowns->groups[feature.group];
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns->shared.data());
-    const Tips tips = tips_of(system, feature, sweeps);
     Sum sum;
     for (int k = 0; k < feature.size(); ++k) {
       const Eigen::Vector3d tip = tips.centres.col(k);

@@ -50,16 +50,14 @@ double rms_of(const Tips& tips, const Unknowns& unknowns) {
   return std::sqrt(squares / feature.size());
 }
 
-// Balls of `constraints` whose readings are beyond the bound when the features are taken as the system takes them.
-int count_beyond(const Bound& bound, const System& system, const Constraints& constraints, const Arm& arm,
+// Balls of `constraints` whose readings are beyond the bound; tips and unknowns are of the features as they are taken.
+int count_beyond(const Bound& bound, const Constraints& constraints, const std::vector<Tips>& tips,
                  const Unknowns& unknowns) {
-  const auto sweeps = sweeps_of(system, arm);
   int count = 0;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
     if (feature.demand == Demand::OnBall && (feature.radius > 0.0 || bound.without_certified)) {
-      const Tips tips = tips_of(system, system.constraints->features[f], sweeps);
-      const bool within = rms_of(tips, unknowns) < bound.share * (feature.radius + tips.radii[0]);
+      const bool within = rms_of(tips[f], unknowns) < bound.share * (feature.radius + tips[f].radii[0]);
       count += within ? 0 : 1;
     }
   }
@@ -69,8 +67,9 @@ int count_beyond(const Bound& bound, const System& system, const Constraints& co
 int count_beyond(const Bound& bound, const Recording& recording, const Constraints& constraints,
                  const Constraints& taken_as, const Arm& arm) {
   const System system = make_system(recording, taken_as, arm, {});
-  const auto unknowns = settle(system, arm, recording);
-  return unknowns ? count_beyond(bound, system, constraints, arm, *unknowns) : std::numeric_limits<int>::max();
+  const auto tips = all_tips(system, arm);
+  const auto unknowns = settle(system, arm, recording, tips);
+  return unknowns ? count_beyond(bound, constraints, tips, *unknowns) : std::numeric_limits<int>::max();
 }
 
 // The free parameters that these constraints tell at this arm; nothing where the analysis finds no solution.
@@ -135,9 +134,9 @@ Near approach(const Recording& recording, const Constraints& constraints, const 
     }
     x = solution.x;
     near.arm = system.arm_at(x.data());
-    unknowns = settle(system, near.arm, recording);
-    near.unseen = unknowns ? count_beyond(round_enough, system, constraints, near.arm, *unknowns)
-                           : std::numeric_limits<int>::max();
+    const auto tips = all_tips(system, near.arm);
+    unknowns = settle(system, near.arm, recording, tips);
+    near.unseen = unknowns ? count_beyond(round_enough, constraints, tips, *unknowns) : std::numeric_limits<int>::max();
   }
   return near;
 }

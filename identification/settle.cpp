@@ -167,16 +167,20 @@ void refine_radii(System system, const Arm& arm, Unknowns& unknowns) {
 }  // namespace
 
 Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording) {
+  return settle(system, arm, recording, all_tips(system, arm));
+}
+
+Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording,
+                          const std::vector<Tips>& tips) {
   const Constraints& constraints = *system.constraints;
-  const auto sweeps = sweeps_of(system, arm);
   std::vector<Tips> balls;
   std::vector<std::vector<Tips>> by_group(constraints.groups.size());
-  for (const auto& feature : constraints.features) {
-    if (feature.shared_radius >= 0) {
-      balls.push_back(tips_of(system, feature, sweeps));
+  for (const Tips& of_feature : tips) {
+    if (of_feature.feature->shared_radius >= 0) {
+      balls.push_back(of_feature);
     }
-    if (feature.group >= 0) {
-      by_group[feature.group].push_back(tips_of(system, feature, sweeps));
+    if (of_feature.feature->group >= 0) {
+      by_group[of_feature.feature->group].push_back(of_feature);
     }
   }
   Unknowns unknowns;
@@ -200,11 +204,11 @@ Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording&
       continue;
     }
     group.values = Eigen::VectorXd::Zero(constraints.groups[i].size);
-    for (const Tips& tips : by_group[i]) {
-      const FeatureConstraint& feature = *tips.feature;
+    for (const Tips& own : by_group[i]) {
+      const FeatureConstraint& feature = *own.feature;
       const auto centre = feature.demand == Demand::Coincide
-                              ? std::optional<Eigen::Vector3d>(tips.centres.rowwise().mean())
-                              : point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared));
+                              ? std::optional<Eigen::Vector3d>(own.centres.rowwise().mean())
+                              : point_at_distances(own.centres, distances_from_centre(own, unknowns.shared));
       if (!centre) {
         return no_solution(
             fmt::format("the centre of {} cannot be told from its {} readings: at least four are needed, "

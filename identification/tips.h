@@ -26,6 +26,16 @@ inline Tips tips_of(const System& system, const FeatureConstraint& feature, cons
   return tips;
 }
 
+/// Of all features, as Constraints::features.
+inline std::vector<Tips> all_tips(const System& system, const Arm& arm) {
+  const auto sweeps = sweeps_of(system, arm);
+  std::vector<Tips> tips;
+  for (const FeatureConstraint& feature : system.constraints->features) {
+    tips.push_back(tips_of(system, feature, sweeps));
+  }
+  return tips;
+}
+
 /// How far the tips of a ball or anchor are to be from its centre, mm.
 inline Eigen::VectorXd distances_from_centre(const Tips& tips, const Eigen::VectorXd& shared) {
   const FeatureConstraint& feature = *tips.feature;
