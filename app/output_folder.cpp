@@ -57,7 +57,11 @@ Expected<void> check_folder(const std::string& path, const FolderFiles& files, b
   std::error_code error;
   const auto status = fs::symlink_status(without_slash(path), error);
   if (!fs::exists(status)) {
-    return {};
+    const fs::path parent = fs::absolute(without_slash(path), error).parent_path();
+    return fs::is_directory(parent, error)
+               ? Expected<void>()
+               : bad_input(fmt::format("there is no folder {} to write this folder in", in_quotes(parent.string())),
+                           path);
   }
   if (!fs::is_directory(status)) {
     return bad_input("this is there and no folder, expected the name of a folder to write", path);

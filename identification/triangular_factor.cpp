@@ -16,7 +16,7 @@ constexpr Eigen::Index block_rows = 96;
 }  // namespace
 
 TriangularFactor::TriangularFactor(int columns)
-    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(block_rows, columns), weights_(columns) {}
+    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(block_rows, columns) {}
 
 void TriangularFactor::add(const double* row_major, int rows) {
   using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
@@ -54,13 +54,12 @@ void TriangularFactor::fold() {
     const double twice = 2.0 * first * first / (below + first * first);
     triangle_(k, k) = length;
     v /= first;
-    const Eigen::Index right = columns - k - 1;
-    auto row = triangle_.row(k).tail(right);
-    auto w = weights_.head(right);
-    w.noalias() = rows.rightCols(right).transpose() * v;
-    w = twice * (w + row.transpose());
-    row -= w.transpose();
-    rows.rightCols(right).noalias() -= v * w.transpose();
+    for (Eigen::Index j = k + 1; j < columns; ++j) {
+      auto column = rows.col(j);
+      const double along = twice * (v.dot(column) + triangle_(k, j));
+      triangle_(k, j) -= along;
+      column -= along * v;
+    }
   }
   filled_ = 0;
 }

@@ -24,7 +24,6 @@ class TriangularFactor {
 
   Eigen::MatrixXd triangle_;
   Eigen::MatrixXd waiting_;  // its first filled_ rows are not yet folded
-  Eigen::VectorXd weights_;  // scratch of fold()
   Eigen::Index filled_ = 0;
 };
 

@@ -12,6 +12,7 @@ using ::testing::ElementsAre;
 using testing::Ended;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::replaced;
 
 class Simulate : public testing::ProgramTest {
@@ -103,6 +104,15 @@ TEST_F(Simulate, ReplacesOnlyWhatIsItsOwn) {
   write("note", "a file");
   EXPECT_THAT(run({"simulate", "simulate/plan.toml", "-o", "note", "--force"}).err, HasSubstr("no folder"));
   EXPECT_THAT(names(), ElementsAre("made", "note", "simulate"));
+}
+
+TEST_F(Simulate, MissesTheFolderToWriteInBeforeItWorks) {
+  change_plan("random = 7", "position = [5000, 0, 0]");
+  const Ended ended = run({"simulate", "simulate/plan.toml", "-o", "not/there"});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("not/there: there is no folder"));
+  EXPECT_THAT(ended.err, Not(HasSubstr("does not reach")));
+  EXPECT_THAT(names(), ElementsAre("simulate"));
 }
 
 TEST_F(Simulate, DoesNotOverwriteItsOwnPlan) {
