@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -59,7 +60,11 @@ void MonteCarloRequest::add_to(CLI::App& parser) {
   parser.add_option("--at", points, "a point to measure, mm in the base frame, such as 600,0,450; may be repeated")
       ->type_name("X,Y,Z")
       ->group(group);
-  parser.add_option("--u-temperature", u_temperature, "standard uncertainty of temperatures, such as \"0.1 K\"")
+  parser
+      .add_option("--u-temperature", u_temperature,
+                  "standard uncertainty of the artefacts' temperatures, such as \"0.1 K\"")
+      ->group(group);
+  parser.add_option("--u-arm-temperature", u_arm_temperature, "of the arm's, for an arm whose links expand")
       ->group(group);
   parser.add_option("--state", state, "write what is counted, also on Ctrl-C, to go on from")
       ->type_name("FILE")
@@ -118,13 +123,17 @@ Expected<MonteCarloOptions> MonteCarloRequest::options(const Arm& arm, const std
   MonteCarloOptions options;
   options.seed = seed;
   options.measuring.seed = seed;
-  if (!u_temperature.empty()) {
-    const auto u = temperature_difference(u_temperature);
-    if (!u || *u < 0.0) {
-      return wrong_usage(fmt::format("--u-temperature is {}, expected a standard uncertainty such as \"0.1 K\"",
-                                     in_quotes(u_temperature)));
+  for (const auto& [name, text, u] :
+       {std::tuple("--u-temperature", &u_temperature, &options.u_temperature),
+        std::tuple("--u-arm-temperature", &u_arm_temperature, &options.u_arm_temperature)}) {
+    if (!text->empty()) {
+      const auto stated = temperature_difference(*text);
+      if (!stated || *stated < 0.0) {
+        return wrong_usage(
+            fmt::format("{} is {}, expected a standard uncertainty such as \"0.1 K\"", name, in_quotes(*text)));
+      }
+      *u = *stated;
     }
-    options.u_temperature = *u;
   }
   options.measuring.probe = probe.empty() ? 0 : probe_index(arm, probe);
   if (options.measuring.probe < 0) {

@@ -22,7 +22,7 @@ struct MonteCarloRequest {
   std::string trials = "auto";
   int digits = 2;
   int threads = 0;
-  std::string u_temperature;
+  std::string u_temperature, u_arm_temperature;
   std::vector<std::string> points;
   std::string state, resume, shard;
   std::vector<std::string> merge;

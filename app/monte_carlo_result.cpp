@@ -166,6 +166,7 @@ Json made_from_json(const Recording& recording, const IdentifyOptions& options, 
   json["loss"] = name_of(options.loss);
   json["noise"] = noise_json(options.noise);
   json["u_temperature_K"] = monte_carlo.u_temperature;
+  json["u_arm_temperature_K"] = monte_carlo.u_arm_temperature;
   json["seed"] = monte_carlo.seed;
   json["probe"] = monte_carlo.measuring.probe;
   json["points_mm"] = Json::array();
@@ -183,6 +184,7 @@ Json to_json(const MonteCarloResult& result) {
                      {"loss", name_of(result.options.loss)},
                      {"noise", noise_json(result.options.noise)},
                      {"u_temperature_K", result.monte_carlo.u_temperature},
+                     {"u_arm_temperature_K", result.monte_carlo.u_arm_temperature},
                      {"probe", result.recording.arm.probes[result.monte_carlo.measuring.probe].name},
                      {"digits", result.wanted.digits}};
   json["model"] = model_text(result.identification.model);

@@ -17,7 +17,8 @@ namespace artcal {
 /// What is drawn beside the noise that the identification knows or found, and what is followed.
 struct MonteCarloOptions {
   std::uint64_t seed = 1;
-  double u_temperature = 0.0;  ///< of an artefact's temperature in a placement, K
+  double u_temperature = 0.0;      ///< of an artefact's temperature in a placement, K
+  double u_arm_temperature = 0.0;  ///< of the arm's in a placement, K; for arms that expand
   MeasuringRequest measuring;
 };
 
@@ -47,7 +48,8 @@ class TrialMaker;
 /// Trial t is known by (seed, t) alone: neither threads nor machines nor the order change a digit.
 class MonteCarlo {
  public:
-  /// `recording` and `constraints` must outlive this. Bad input: a point to be measured that the arm does not reach.
+  /// `recording` and `constraints` must outlive this. Bad input: a point to be measured that the arm does not reach; an
+  /// uncertainty of the arm's temperature where nothing of the arm depends on it.
   /// No solution: the readings agree to the last digits, so that there is no noise to draw; see fit_arm().
   static Expected<MonteCarlo> prepare(const Recording& recording, const Constraints& constraints,
                                       const IdentifyOptions& options, const Identification& identification,

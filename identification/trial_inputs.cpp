@@ -33,6 +33,9 @@ TrialInputs::TrialInputs(const System& system, const Recording& recording, const
 void TrialInputs::draw(std::uint64_t seed, std::uint64_t trial) {
   draw_readings(seed, trial);
   draw_certificates(seed, trial);
+  if (spread_.arm_temperature > 0.0) {
+    draw_arm_temperatures(seed, trial);
+  }
 }
 
 void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
@@ -111,6 +114,21 @@ void TrialInputs::draw_certificates(std::uint64_t seed, std::uint64_t trial) {
     const double factor = constraints_.features[before.first].expansion;
     constraints_.distances[d].value =
         growth[before.first] * before.value + (certificates_[d] < 0 ? 0.0 : factor * errors[certificates_[d]]);
+  }
+}
+
+void TrialInputs::draw_arm_temperatures(std::uint64_t seed, std::uint64_t trial) {
+  RandomStream random(seed, "trial: arm temperatures", trial);
+  std::map<int, double> errors;  // of each placement
+  for (const FeatureConstraint& feature : constraints_.features) {
+    const auto [entry, is_new] = errors.try_emplace(feature.placement, 0.0);
+    if (is_new) {
+      entry->second = spread_.enlargement * spread_.arm_temperature * random.normal();
+    }
+    for (const int reading : feature.readings) {
+      const auto k = static_cast<std::size_t>(reading);
+      drawn_.temperatures[k] = base_.temperatures[k] + entry->second;
+    }
   }
 }
 

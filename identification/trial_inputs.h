@@ -11,10 +11,11 @@ namespace artcal {
 
 /// What the inputs of an identification are uncertain by, as standard deviations.
 struct InputSpread {
-  double encoder = 0.0;      ///< of each joint's reading, rad
-  double probing = 0.0;      ///< of each coordinate of the tip, mm
-  double temperature = 0.0;  ///< of an artefact's temperature in a placement, K
-  double enlargement = 1.0;  ///< factor on all of them and on those of the certificates
+  double encoder = 0.0;          ///< of each joint's reading, rad
+  double probing = 0.0;          ///< of each coordinate of the tip, mm
+  double temperature = 0.0;      ///< of an artefact's temperature in a placement, K
+  double arm_temperature = 0.0;  ///< of the arm's in a placement, K
+  double enlargement = 1.0;      ///< factor on all of them and on those of the certificates
   /// Where the noise was estimated from residuals: their degrees of freedom. Each trial then draws what the noise may
   /// be as well, so that what comes out is t-distributed (JCGM 101 §6.4.9).
   std::optional<int> degrees_of_freedom;
@@ -23,7 +24,7 @@ struct InputSpread {
 /// One trial's inputs: the readings and the certificates' numbers, each moved by a draw from its distribution. All
 /// normal. Readings are independent of each other; an error of a certificate is one for all placements of its artefact,
 /// and independent from number to number; expansion is one for all lengths of an artefact, temperature for those of a
-/// placement. The memory is used again for the next trial.
+/// placement; the arm's temperature for all readings of a placement. The memory is used again for the next trial.
 class TrialInputs {
  public:
   /// `system` and what it refers to must outlive this.
@@ -41,6 +42,7 @@ class TrialInputs {
  private:
   void draw_readings(std::uint64_t seed, std::uint64_t trial);
   void draw_certificates(std::uint64_t seed, std::uint64_t trial);
+  void draw_arm_temperatures(std::uint64_t seed, std::uint64_t trial);
 
   const System& base_;
   InputSpread spread_;

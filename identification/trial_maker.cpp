@@ -16,11 +16,12 @@ Noise noise_in_use(const IdentifyOptions& options, const Identification& identif
   return noise;
 }
 
-InputSpread spread_of(const Noise& noise, const Identification& identification, double u_temperature) {
+InputSpread spread_of(const Noise& noise, const Identification& identification, const MonteCarloOptions& monte_carlo) {
   InputSpread spread;
   spread.encoder = noise.encoder.value_or(0.0);
   spread.probing = noise.reading ? *noise.reading : *noise.probing;
-  spread.temperature = u_temperature;
+  spread.temperature = monte_carlo.u_temperature;
+  spread.arm_temperature = monte_carlo.u_arm_temperature;
   spread.enlargement = identification.enlargement;
   if (!identification.noise_is_given) {
     spread.degrees_of_freedom = identification.degrees_of_freedom;
@@ -40,6 +41,11 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
         "the readings agree to the last digits, so that there is no noise to draw from; state one, such as --noise "
         "\"15 um\"");
   }
+  if (monte_carlo.u_arm_temperature > 0.0 && !expands(identification.arm)) {
+    return bad_input(
+        "an uncertainty of the arm's temperature is stated, but no link of this arm expands: leave out "
+        "--u-arm-temperature, or state how the links expand in the arm's file");
+  }
   std::unique_ptr<TrialMaker> maker(new TrialMaker);
   maker->recording_ = &recording;
   const SolveOptions solve_options{options.loss, options.max_iterations};
@@ -53,7 +59,7 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
   }
   maker->fit_ = std::move(*fit);
   maker->system_ = make_system(recording, constraints, maker->fit_.arm, free);
-  maker->spread_ = spread_of(noise, identification, monte_carlo.u_temperature);
+  maker->spread_ = spread_of(noise, identification, monte_carlo);
   auto again = Reidentification::of(maker->system_, maker->fit_, solve_options);
   if (!again) {
     return tl::unexpected(again.error());

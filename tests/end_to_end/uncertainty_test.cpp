@@ -219,6 +219,7 @@ TEST_F(MonteCarloCommand, RefusesWhatItCannotDo) {
            {{"--shard", "3/2", "--state", "s.json"}, "which of how many"},
            {{"--merge", "s.json"}, "--trials"},
            {{"--trials", "20", "--u-temperature", "0.1"}, "such as"},
+           {{"--trials", "20", "--u-arm-temperature", "0.1 mm"}, "--u-arm-temperature is \"0.1 mm\""},
            {{"--trials", "20", "--noise", "0 um"}, "above zero"},
            {{"--trials", "20", "--probe", "star"}, "no probe"},
            {{"--trials", "20", "--lengths", "5"}, "excludes"}}) {

@@ -149,8 +149,10 @@ TEST(MonteCarlo, AgreesWithFirstOrderWhereTheModelIsNearlyLinear) {
 }
 
 /// An arm on one bar of three seats, in `placements` places, with next to no noise: what is left is the certificate's.
-Example on_a_doubtful_bar(int placements, double u, double temperature) {
-  const Arm nominal = test::gao_arm();
+/// The arm is at its reference temperature; `expansion`, 1/K, is that of its links.
+Example on_a_doubtful_bar(int placements, double u, double temperature, double expansion = 0.0) {
+  Arm nominal = test::gao_arm();
+  for (Joint& joint : nominal.joints) joint.errors.expansion = expansion;
   RandomStream random(4, "arm");
   const Arm truth = testing::arm_with_errors(nominal, random, 0.2, 5e-4);
   testing::Session session(nominal, truth, 11, {1e-9, 1e-6});
@@ -169,7 +171,10 @@ Example on_a_doubtful_bar(int placements, double u, double temperature) {
       });
     }
   }
-  for (Reading& reading : session.recording().readings) reading.temperature = temperature;
+  for (Reading& reading : session.recording().readings) {
+    reading.temperature = temperature;
+    reading.arm_temperature = nominal.reference_temperature;
+  }
   session.recording().noise.reading = 1e-5;
   Constraints constraints = *build_constraints(session.recording(), {bar});
   return identified(session.recording(), std::move(constraints));
@@ -210,6 +215,42 @@ TEST(MonteCarlo, DrawsTemperaturesAnewInEachPlacement) {
       EXPECT_TRUE(results[i].differs_from_linear);  // which knows of no temperature
     }
   }
+}
+
+// Every link grows alike, so that an error of the arm's temperature is one of its scale, by expansion times u in one
+// placement and by a √5th of that in five, for each is drawn anew.
+TEST(MonteCarlo, DrawsTheArmsTemperatureAnewInEachPlacement) {
+  MonteCarloOptions options = few_quantities();
+  options.u_arm_temperature = 2.0;
+  for (const int placements : {1, 5}) {
+    Example example = on_a_doubtful_bar(placements, 1e-4, 20.0, 10e-6);
+    const auto monte_carlo =
+        MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
+    ASSERT_TRUE(monte_carlo) << monte_carlo.error().text();
+    const auto results = summary(monte_carlo->quantities(), trials(example, options, 0, 600));
+    const double relative = 20e-6 / std::sqrt(placements);
+    int lengths = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const FollowedQuantity& quantity = monte_carlo->quantities()[i];
+      if (quantity.kind == FollowedQuantity::Kind::Length) {
+        ++lengths;
+        EXPECT_NEAR(results[i].u / quantity.estimate, relative, 0.12 * relative) << placements;
+        EXPECT_TRUE(results[i].differs_from_linear);
+      }
+    }
+    EXPECT_EQ(lengths, 5);
+  }
+}
+
+TEST(MonteCarlo, RefusesATemperatureOfTheArmThatChangesNothing) {
+  const Example example = on_a_doubtful_bar(1, 1e-4, 20.0);
+  MonteCarloOptions options = few_quantities();
+  options.u_arm_temperature = 0.1;
+  const auto monte_carlo =
+      MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
+  ASSERT_FALSE(monte_carlo);
+  EXPECT_EQ(monte_carlo.error().code, ErrorCode::BadInput);
+  EXPECT_THAT(monte_carlo.error().message, HasSubstr("no link of this arm expands"));
 }
 
 /// Readings with a noise of 0.4 mm, which not every trial converges from.

@@ -22,7 +22,7 @@ class TrialInputsOfABar : public ::testing::Test {
 };
 
 TEST_F(TrialInputsOfABar, TurnsTheAnglesAndTheSinesAlike) {
-  TrialInputs inputs(system, bound.recording, {arc_seconds_2, 0.0, 0.0, 1.5, {}});
+  TrialInputs inputs(system, bound.recording, {arc_seconds_2, 0.0, 0.0, 0.0, 1.5, {}});
   double squares = 0.0;
   for (std::uint64_t trial = 0; trial < 3; ++trial) {
     inputs.draw(1, trial);
@@ -42,7 +42,7 @@ TEST_F(TrialInputsOfABar, TurnsTheAnglesAndTheSinesAlike) {
 TEST_F(TrialInputsOfABar, DrawsAnEstimatedNoiseByItsDegreesOfFreedom) {
   constexpr int nu = 7;
   constexpr int trials = 3000;
-  TrialInputs inputs(system, bound.recording, {0.0, 0.01, 0.0, 1.0, nu});
+  TrialInputs inputs(system, bound.recording, {0.0, 0.01, 0.0, 0.0, 1.0, nu});
   double sum = 0.0;
   double squares = 0.0;
   for (std::uint64_t trial = 0; trial < trials; ++trial) {
@@ -58,7 +58,7 @@ TEST_F(TrialInputsOfABar, DrawsAnEstimatedNoiseByItsDegreesOfFreedom) {
 }
 
 TEST_F(TrialInputsOfABar, HasOneErrorOfACertificateForAllPlacements) {
-  TrialInputs inputs(system, bound.recording, {0.0, 0.01, 0.0, 1.0, {}});
+  TrialInputs inputs(system, bound.recording, {0.0, 0.01, 0.0, 0.0, 1.0, {}});
   const auto& stated = bound.constraints.distances;
   double squares = 0.0;
   int count = 0;
