@@ -5,6 +5,9 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/error.h"
 
 namespace artcal {
 
@@ -26,6 +29,9 @@ struct CommonOptions {
   void add_to(CLI::App& parser);
   /// Whether a person is to be told on standard output.
   [[nodiscard]] bool talks() const { return !quiet && json != "-"; }
+  /// Writes the result where JSON is asked for, then says the text to a person; returns the exit code that is given.
+  [[nodiscard]] Expected<int> tell(const nlohmann::ordered_json& result, const std::string& text,
+                                   int exit_code = 0) const;
 };
 
 Run set_up_identify(CLI::App& parser);

@@ -143,15 +143,8 @@ Expected<int> analyse_and_tell(const Request& request) {
     return tl::unexpected(coupling.error());
   }
   const auto made_up = request.kind_is_given ? std::optional(request.probing) : std::nullopt;
-  if (auto written =
-          write_json(request.common.json, to_json(recording, *coupling, {hold, free, model_text(*model), made_up}));
-      !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(recording, *coupling));
-  }
-  return 0;
+  return request.common.tell(to_json(recording, *coupling, {hold, free, model_text(*model), made_up}),
+                             to_text(recording, *coupling));
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <chrono>
 #include <memory>
 
-#include <fmt/format.h>
-
 #include "app/command.h"
 #include "app/fit_report.h"
 #include "app/output.h"
@@ -56,13 +54,7 @@ Expected<int> fit_and_tell(const Request& request) {
   report.fit = std::move(*fitted);
   report.fitting_seconds = seconds_since(start) - report.reading_seconds;
   report.warnings.insert(report.warnings.end(), report.fit.warnings.begin(), report.fit.warnings.end());
-  if (auto written = write_json(request.common.json, to_json(report)); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(report));
-  }
-  return 0;
+  return request.common.tell(to_json(report), to_text(report));
 }
 
 }  // namespace

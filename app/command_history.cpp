@@ -65,18 +65,12 @@ Expected<int> tell(const Request& request) {
   if (!history) {
     return tl::unexpected(history.error());
   }
-  if (auto written = write_json(request.common.json, to_json(*history)); !written) {
-    return tl::unexpected(written.error());
-  }
   if (!request.report.empty()) {
     if (auto written = write_file(request.report, history_html(*history, store->name())); !written) {
       return tl::unexpected(written.error());
     }
   }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(*history, request.all));
-  }
-  return 0;
+  return request.common.tell(to_json(*history), to_text(*history, request.all));
 }
 
 }  // namespace

@@ -186,13 +186,7 @@ Expected<int> plan_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (auto written = write_json(request.common.json, to_json(result)); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(result));
-  }
-  return 0;
+  return request.common.tell(to_json(result), to_text(result));
 }
 
 }  // namespace

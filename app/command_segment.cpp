@@ -132,13 +132,7 @@ Expected<int> segment_and_tell(const Request& request) {
   if (status != SegmentStatus::Complete && status != SegmentStatus::Partial) {
     return no_solution(refusal_text(result));
   }
-  if (auto written = write_json(request.common.json, to_json(result)); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(result));
-  }
-  return 0;
+  return request.common.tell(to_json(result), to_text(result));
 }
 
 }  // namespace

@@ -175,13 +175,7 @@ Expected<int> simulate_and_write(const Request& request) {
   if (auto written = write_folder(request.folder, *files, request.force); !written) {
     return tl::unexpected(written.error());
   }
-  if (auto written = write_json(request.common.json, truth); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", summary(*file, *simulation, request));
-  }
-  return 0;
+  return request.common.tell(truth, summary(*file, *simulation, request));
 }
 
 }  // namespace

@@ -99,13 +99,7 @@ Expected<int> survey_and_tell(const Request& request) {
   }
   const UncertainArm arm(file->arm, *sources, *probe);
   const SurveyResult result{*file, *sources, *probe, request.sampling, survey(arm, request.sampling)};
-  if (auto written = write_json(request.common.json, to_json(result)); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(result));
-  }
-  return 0;
+  return request.common.tell(to_json(result), to_text(result));
 }
 
 }  // namespace

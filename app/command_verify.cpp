@@ -92,13 +92,8 @@ Expected<int> verify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (auto written = write_json(request.common.json, json); !written) {
-    return tl::unexpected(written.error());
-  }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(session, *result, request.all));
-  }
-  return is_shown(*result) ? 0 : conformity_not_shown;
+  return request.common.tell(json, to_text(session, *result, request.all),
+                             is_shown(*result) ? 0 : conformity_not_shown);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/result_json.h"
 
 #include "app/artefacts_told.h"
+#include "app/json_list.h"
 #include "app/readings_json.h"
 #include "app/result_head.h"
 #include "app/result_names.h"
@@ -136,22 +137,13 @@ Json deviation_json(const FeatureDeviation& deviation) {
   return json;
 }
 
-template <typename Items, typename ToJson>
-Json list(const Items& items, ToJson to_json) {
-  Json json = Json::array();
-  for (const auto& item : items) {
-    json.push_back(to_json(item));
-  }
-  return json;
-}
-
 Json length_json(const LengthDeviation& length) {
   return {{"artefact", length.first.artefact}, {"placement", length.first.placement}, {"first", length.first.feature},
           {"second", length.second},           {"certified_mm", length.certified},    {"error_mm", length.error}};
 }
 
 Json features_json(const Evaluation& evaluation) {
-  Json json = list(evaluation.features, deviation_json);
+  Json json = json_list(evaluation.features, deviation_json);
   for (std::size_t i = 0; i < json.size(); ++i) {
     const Eigen::Vector3d& point = evaluation.points[i];
     json[i]["at_mm"] = {point.x(), point.y(), point.z()};
@@ -161,15 +153,15 @@ Json features_json(const Evaluation& evaluation) {
 
 Json evaluation_json(const Evaluation& evaluation) {
   return {{"overall", deviation_json(evaluation.overall)},
-          {"artefacts", list(evaluation.artefacts, deviation_json)},
-          {"placements", list(evaluation.placements, deviation_json)},
+          {"artefacts", json_list(evaluation.artefacts, deviation_json)},
+          {"placements", json_list(evaluation.placements, deviation_json)},
           {"features", features_json(evaluation)},
-          {"lengths", list(evaluation.lengths, length_json)}};
+          {"lengths", json_list(evaluation.lengths, length_json)}};
 }
 
 Json left_out_json(const LeftOut& left) {
   Json json = deviation_json(left.deviation);
-  json["lengths"] = list(left.lengths, length_json);
+  json["lengths"] = json_list(left.lengths, length_json);
   json["refusal"] = left.refusal.empty() ? Json(nullptr) : Json(left.refusal);
   return json;
 }
@@ -194,15 +186,15 @@ Json model_study_json(const ModelStudy& study) {
   return {{"done", study.done},
           {"false_alarms", study.false_alarms},
           {"readings", study.readings},
-          {"tests", list(study.tests,
-                         [](const ModelTest& test) -> Json {
-                           return {{"effect", name_of(test.effect)},
-                                   {"joint", joint_json(test.effect, test.joint)},
-                                   {"columns", test.columns},
-                                   {"f", test.f},
-                                   {"p", test.p}};
-                         })},
-          {"findings", list(study.findings, [](const ModelFinding& finding) -> Json {
+          {"tests", json_list(study.tests,
+                              [](const ModelTest& test) -> Json {
+                                return {{"effect", name_of(test.effect)},
+                                        {"joint", joint_json(test.effect, test.joint)},
+                                        {"columns", test.columns},
+                                        {"f", test.f},
+                                        {"p", test.p}};
+                              })},
+          {"findings", json_list(study.findings, [](const ModelFinding& finding) -> Json {
              const bool periodic = finding.effect == Effect::OncePerTurn || finding.effect == Effect::TwicePerTurn;
              return {{"effect", name_of(finding.effect)},
                      {"joint", joint_json(finding.effect, finding.joint)},
@@ -244,7 +236,7 @@ Json model_json(const Identification& result) {
   for (const ParameterGroup group : result.model) {
     groups.push_back(name_of(group));
   }
-  return {{"text", model_text(result.model)}, {"groups", groups}, {"trials", list(result.trials, trial_json)}};
+  return {{"text", model_text(result.model)}, {"groups", groups}, {"trials", json_list(result.trials, trial_json)}};
 }
 
 Json noise_json(const IdentifyOptions& options, const Identification& result) {
@@ -290,11 +282,11 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
   json["parameters"] = parameters_json(result);
   json["covariance"] = covariance_json(result);
   json["noise"] = noise_json(options, result);
-  json["artefact_values"] = list(result.artefact_values, artefact_value_json);
+  json["artefact_values"] = json_list(result.artefact_values, artefact_value_json);
   json["before"] = evaluation_json(result.before);
   json["after"] = evaluation_json(result.after);
-  json["left_out"] = list(result.left_out, left_out_json);
-  json["outliers"] = list(result.outliers, [&](const Outlier& outlier) -> Json {
+  json["left_out"] = json_list(result.left_out, left_out_json);
+  json["outliers"] = json_list(result.outliers, [&](const Outlier& outlier) -> Json {
     return {{"reading", outlier.reading},
             {"where", recording.where(outlier.reading)},
             {"artefact", outlier.name.artefact},

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/artefacts_told.h"
+#include "app/json_list.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
 #include "app/result_names.h"
@@ -129,15 +130,6 @@ Json interim_json(const InterimCheck& check) {
   return {{"drifts", drifts}, {"not_compared", check.not_compared}};
 }
 
-template <typename Items, typename ToJson>
-Json list(const Items& items, ToJson to_json) {
-  Json json = Json::array();
-  for (const auto& item : items) {
-    json.push_back(to_json(item));
-  }
-  return json;
-}
-
 // Throws what the library throws where a field is absent or of another type.
 TestValue value_from(const Json& json) {
   TestValue value;
@@ -172,10 +164,10 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["specification"] = text_or_null(session.specification.name);
   json["decision_rule"] = text_of(verification.rule);
   json["conclusion"] = result_name(verification.conclusion);
-  json["values"] = list(verification.values, value_json);
-  json["plates"] = list(result.plates, plate_json);
-  json["plate_calibrations"] = list(result.calibrations, calibration_json);
-  json["articulations"] = list(result.articulations, articulation_json);
+  json["values"] = json_list(verification.values, value_json);
+  json["plates"] = json_list(result.plates, plate_json);
+  json["plate_calibrations"] = json_list(result.calibrations, calibration_json);
+  json["articulations"] = json_list(result.articulations, articulation_json);
   json["volumetric"] = result.volumetric ? volumetric_json(*result.volumetric) : Json(nullptr);
   json["interim"] = result.interim ? interim_json(*result.interim) : Json(nullptr);
   json["missing"] = verification.missing;

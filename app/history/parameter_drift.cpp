@@ -6,6 +6,7 @@
 
 #include "app/history/drift_sections.h"
 #include "app/history/time_labels.h"
+#include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/shown_unit.h"
 #include "core/units.h"
@@ -87,22 +88,9 @@ std::pair<std::string, double> drift_unit(const ParameterChange& change) {
 }
 
 html::Table parameter_table(const std::vector<ParameterChange>& changes, const std::string& caption) {
-  html::Table table(caption, {{"parameter", false, true},
-                              {"unit", false},
-                              {"first"},
-                              {"last"},
-                              {"change"},
-                              {"u"},
-                              {"change / u"},
-                              {"", false}});
+  html::Table table = change_table(caption);
   for (const ParameterChange& change : changes) {
-    const ShownUnit as = shown_unit(change.name, change.unit);
-    table.add_markup(
-        {html::text(change.name), as.name, fmt::format("{:.{}f}", change.then / as.size, as.decimals),
-         fmt::format("{:.{}f}", change.now / as.size, as.decimals),
-         fmt::format("{:+.{}f}", (change.now - change.then) / as.size, as.decimals), two_digits(change.u / as.size),
-         fmt::format("{:.1f}", severity(change)), change.significant ? "⚠ beyond 2 u" : ""},
-        change.significant ? "notable" : "");
+    add(table, {change.name, change.unit, change.then, change.now, change.u, change.significant ? "⚠ beyond 2 u" : ""});
   }
   return table;
 }

@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/normal.hpp>
 
+#include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"
-#include "app/shown_unit.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -153,27 +153,12 @@ void write_parameters(const Results& results, Sheet& sheet) {
   const Times times = times_of(results);
   const std::size_t last = results.size() - 1;
   sheet.figure(drift_figure(tracks, times, results.front()->at("coupling").at("angle_scale_mm")));
-  html::Table table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
-                                times.labels.front().get<std::string>(), times.labels.back().get<std::string>()),
-                    {{"parameter", false, true},
-                     {"unit", false},
-                     {"first"},
-                     {"last"},
-                     {"change"},
-                     {"u"},
-                     {"change / u"},
-                     {"", false}});
+  html::Table table =
+      change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
+                               times.labels.front().get<std::string>(), times.labels.back().get<std::string>()));
   for (const Track& track : tracks) {
-    const ShownUnit as = shown_unit(track.name, track.unit);
-    const double unit = as.size;
-    const int digits = as.decimals;
-    const bool significant = track.standardised() > coverage;
-    table.add_markup(
-        {html::text(track.name), as.name, fmt::format("{:.{}f}", track.values.front() / unit, digits),
-         fmt::format("{:.{}f}", track.values.back() / unit, digits),
-         fmt::format("{:+.{}f}", track.change(last) / unit, digits), two_digits(track.u_of_change(last) / unit),
-         fmt::format("{:.1f}", track.standardised()), significant ? "⚠ significant" : ""},
-        significant ? "notable" : "");
+    add(table, {track.name, track.unit, track.values.front(), track.values.back(), track.u_of_change(last),
+                track.standardised() > coverage ? "⚠ significant" : ""});
   }
   sheet.table(table);
   sheet.paragraph(fmt::format(

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace artcal {
+
+/// A JSON array of what `to_json` makes of each item, in order.
+template <typename Items, typename ToJson>
+nlohmann::ordered_json json_list(const Items& items, ToJson to_json) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto& item : items) {
+    json.push_back(to_json(item));
+  }
+  return json;
+}
+
+}  // namespace artcal
