@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/fit_report.h"
+#include "app/phrases.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
@@ -98,10 +99,8 @@ std::string outliers_text(const FeatureFit& fit) {
 }  // namespace
 
 std::string to_text(const FitReport& report) {
-  std::string text = title(report) + values_text(report) + noise_text(report) + outliers_text(report.fit);
-  for (const std::string& warning : report.warnings) {
-    text += fmt::format("Warning: {}.\n", warning);
-  }
+  std::string text = title(report) + values_text(report) + noise_text(report) + outliers_text(report.fit) +
+                     warning_lines(report.warnings);
   while (text.ends_with("\n\n")) {
     text.pop_back();
   }

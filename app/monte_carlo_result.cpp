@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/phrases.h"
 #include "app/result_head.h"
 #include "app/result_json.h"
 #include "app/shown_unit.h"
@@ -231,11 +232,9 @@ std::string to_text(const MonteCarloResult& result) {
                           "{} of {} quantities do not stand to {} significant digits of u yet; more trials would "
                           "help.\n",
                           open, summary.size(), result.wanted.digits);
-  for (const auto& warning : result.identification.warnings) {
-    text += fmt::format("Warning: {}.\n", warning);
-  }
-  return text + "\n" + parameters_text(result, summary) + "\n" + measured_text(result, summary) +
-         at_what_temperature(result.identification.arm) + "\n" + differing_text(result, summary);
+  return text + warning_lines(result.identification.warnings) + "\n" + parameters_text(result, summary) + "\n" +
+         measured_text(result, summary) + at_what_temperature(result.identification.arm) + "\n" +
+         differing_text(result, summary);
 }
 
 }  // namespace artcal

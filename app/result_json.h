@@ -2,14 +2,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "acquisition/recording.h"
 #include "artefacts/constraint.h"
-#include "artefacts/virtual_probing.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -27,13 +24,5 @@ nlohmann::ordered_json result_header(const Recording& recording, const char* kin
 /// Results as JSON. The schema is docs/result-schema.md; `schema_version` changes with it.
 nlohmann::ordered_json to_json(const Recording& recording, const Constraints& constraints,
                                const IdentifyOptions& options, const Identification& result, const Timings& timings);
-
-/// What a coupling analysis was asked.
-struct CouplingRequest {
-  std::vector<std::string> hold, free;
-  std::string model;
-  std::optional<VirtualProbing> made_up;  ///< how the readings were made, if they were
-};
-nlohmann::ordered_json to_json(const Recording& recording, const Coupling& coupling, const CouplingRequest& request);
 
 }  // namespace artcal

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "app/artefacts_told.h"
+#include "app/coupling_text.h"
+#include "app/phrases.h"
 #include "app/shown_unit.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
-#include "identification/lost_text.h"
 
 namespace artcal {
 namespace {
@@ -24,10 +24,6 @@ std::string signed_mm(double value) { return fmt::format("{:+.4f}", value); }
 
 // Names come from files and may be longer than a screen is wide.
 std::string shown(const std::string& name) { return at_most(60, name); }
-
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 const LengthDeviation* worst(const std::vector<LengthDeviation>& lengths) {
   const auto found = std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
@@ -212,26 +208,6 @@ std::string model_study_text(const ModelStudy& study) {
       study.tests.size());
 }
 
-std::string cannot_text(const Coupling& coupling) {
-  std::string text;
-  if (!coupling.lost.empty()) {
-    text += fmt::format("What these readings cannot tell ({} of {} parameters can be told):\n", coupling.rank,
-                        coupling.parameters.size());
-    for (const ParameterMotion& motion : coupling.lost) {
-      text +=
-          fmt::format("  {}; {} is held\n", lost_in_words(coupling, motion), coupling.parameters[motion.leading].name);
-    }
-  }
-  if (!coupling.weak.empty()) {
-    text += "What they tell poorly (see the large u):\n";
-    for (const WeakDirection& weak : coupling.weak) {
-      text += fmt::format("  {} (singular value {:.2g} of {:.3g})\n", weak_in_words(coupling, weak),
-                          weak.singular_value, coupling.singular_values[0]);
-    }
-  }
-  return text.empty() ? text : text + "\n";
-}
-
 std::string outliers_text(const Recording& recording, const Identification& result) {
   if (result.outliers.empty()) {
     return {};
@@ -250,52 +226,14 @@ std::string outliers_text(const Recording& recording, const Identification& resu
   return text + "\n";
 }
 
-std::string warnings_text(const std::vector<std::string>& warnings) {
-  std::string text;
-  for (const auto& warning : warnings) {
-    text += fmt::format("Warning: {}.\n", warning);
-  }
-  return text.empty() ? text : text + "\n";
-}
-
 }  // namespace
 
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
-  return title_text(recording, constraints, result) + summary_text(result) + warnings_text(result.warnings) +
-         trials_text(result) + placements_text(result) + lengths_text(result) + parameters_text(result) +
-         artefacts_text(result) + noise_text(result) + model_study_text(result.model_study) +
-         cannot_text(result.coupling) + outliers_text(recording, result);
-}
-
-std::string to_text(const Recording& recording, const Coupling& coupling) {
-  std::string text =
-      fmt::format("{}\narm {}: {} residuals, {} unknown coordinates and angles of features\n\n", shown(recording.name),
-                  in_quotes(recording.arm.name), coupling.residual_count, coupling.unknown_count);
-  text += fmt::format("rank {} of {}: {} can be told, {} cannot\n", coupling.rank, coupling.parameters.size(),
-                      plural(static_cast<std::size_t>(coupling.rank), "combination"),
-                      coupling.parameters.size() - static_cast<std::size_t>(coupling.rank));
-  text += coupling.scale == ScaleState::Lost
-              ? "scale: LOST. All lengths can grow together unseen; measure a calibrated length as well\n"
-          : coupling.scale == ScaleState::Weak ? "scale: told, but poorly; a calibrated length would help\n"
-                                               : "scale: told\n";
-  text += "\n" + warnings_text(recording.warnings) + cannot_text(coupling);
-  if (!coupling.lost.empty()) {
-    text += "Motions that no reading sees (mm and rad):\n";
-    for (const ParameterMotion& motion : coupling.lost) {
-      text += fmt::format("  {}\n", lost_as_motion(coupling, motion));
-    }
-    text += "\n";
-  }
-  if (coupling.readings_not_moved > 0) {
-    text += fmt::format("{} could not be put exactly on their points; directions that look weak may be lost\n\n",
-                        plural(static_cast<std::size_t>(coupling.readings_not_moved), "reading"));
-  }
-  std::vector<std::string> values;
-  for (const double value : coupling.singular_values) {
-    values.push_back(fmt::format("{:.3g}", value));
-  }
-  return text + fmt::format("singular values (mm per mm, angles times {:.0f} mm):\n  {}\n", coupling.angle_scale,
-                            fmt::join(values, " "));
+  const std::string warnings = result.warnings.empty() ? "" : warning_lines(result.warnings) + "\n";
+  return title_text(recording, constraints, result) + summary_text(result) + warnings + trials_text(result) +
+         placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
+         noise_text(result) + model_study_text(result.model_study) + cannot_text(result.coupling) +
+         outliers_text(recording, result);
 }
 
 }  // namespace artcal

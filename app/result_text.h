@@ -11,7 +11,4 @@ namespace artcal {
 /// What a technician reads: the answer first, then what it rests on, then what to beware of.
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result);
 
-/// What readings can tell, and what not.
-std::string to_text(const Recording& recording, const Coupling& coupling);
-
 }  // namespace artcal

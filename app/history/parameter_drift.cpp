@@ -6,6 +6,7 @@
 
 #include "app/history/drift_sections.h"
 #include "app/history/time_labels.h"
+#include "app/phrases.h"
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/shown_unit.h"

@@ -8,6 +8,7 @@
 #include "app/history/drift_sections.h"
 #include "app/history/over_time.h"
 #include "app/history/time_labels.h"
+#include "app/phrases.h"
 #include "app/report/numbers.h"
 #include "core/units.h"
 

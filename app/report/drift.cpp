@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/normal.hpp>
 
+#include "app/phrases.h"
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "app/phrases.h"
 #include "app/report/correlation.h"
 #include "app/report/lengths.h"
 #include "app/report/numbers.h"

@@ -26,10 +26,6 @@ std::string micrometres(double mm) { return formatted("{:.1f}", mm / units::micr
 std::string signed_micrometres(double mm) { return formatted("{:+.1f}", mm / units::micrometre); }
 std::string two_digits(double value) { return formatted("{:.2g}", value); }
 
-std::string plural(std::size_t count, const std::string& noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string shown(const std::string& name) { return at_most(100, name); }
 
 double number_in(const Json& json) {

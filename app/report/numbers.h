@@ -13,7 +13,6 @@ std::string signed_mm(double value);        ///< +0.2048
 std::string micrometres(double mm);         ///< 204.8
 std::string signed_micrometres(double mm);  ///< +204.8
 std::string two_digits(double value);       ///< an uncertainty: 0.031
-std::string plural(std::size_t count, const std::string& noun);
 
 /// A name from a file, cut where it is longer than a line.
 std::string shown(const std::string& name);

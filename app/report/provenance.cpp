@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/phrases.h"
 #include "app/report/numbers.h"
 
 namespace artcal {

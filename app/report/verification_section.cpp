@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/phrases.h"
 #include "app/report/beside_values.h"
 #include "app/report/numbers.h"
 #include "app/report/scene.h"

@@ -1,0 +1,40 @@
+#include <fmt/format.h>
+
+#include "artefacts/artefact_file.h"
+#include "artefacts/constraint.h"
+#include "artefacts/scan_readings.h"
+#include "core/in_quotes.h"
+
+namespace artcal {
+
+Expected<Constraints> read_constraints(Recording& recording) { return read_constraints(recording, ScanSelection{}); }
+
+Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection) {
+  if (recording.artefact_paths.empty()) {
+    return bad_input("the recording names no artefact, expected artefacts = [\"artefact.toml\"]",
+                     recording.inputs.empty() ? "" : recording.inputs.front().path);
+  }
+  std::vector<Artefact> artefacts;
+  for (const auto& path : recording.artefact_paths) {
+    auto file = read_artefact_file(path);
+    if (!file) {
+      return tl::unexpected(file.error());
+    }
+    for (const auto& other : artefacts) {
+      if (other.name == file->artefact.name) {
+        return bad_input(fmt::format("two artefacts of this recording are called {}", in_quotes(other.name)), path);
+      }
+    }
+    recording.inputs.push_back(file->input);
+    if (file->certificate) {
+      recording.inputs.push_back(*file->certificate);
+    }
+    artefacts.push_back(std::move(file->artefact));
+  }
+  if (auto read = read_scans(recording, artefacts, selection); !read) {
+    return tl::unexpected(read.error());
+  }
+  return build_constraints(recording, std::move(artefacts));
+}
+
+}  // namespace artcal
