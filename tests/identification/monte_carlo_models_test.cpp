@@ -35,8 +35,16 @@ Planted planted(const Model& model, const testing::SessionNoise& noise) {
     nominal.joints[1] = {.a = 792.7, .d = 0.0, .alpha = 0.0, .mass = 1.5};
     nominal.joints[2].d = 65.5;
   }
+  if (model == Model{ParameterGroup::Tip}) {  // which takes two styli
+    nominal.probes[0].name = "short";
+    nominal.probes.push_back({"long", {0.0, 0.0, 320.0}, 3.0, true});
+  }
   Planted made{testing::true_arm(nominal, model, 1), {}, testing::options_for(model), {}};
   if (model == Model{ParameterGroup::Hayati}) made.truth.joints[1].d = nominal.joints[1].d;
+  if (model == Model{ParameterGroup::Tip}) {  // of four offsets the readings tell two beside the last joint's angles
+    made.truth.probes[0].tip_in_last.head<2>() = nominal.probes[0].tip_in_last.head<2>();
+    made.options.hold = {"lx:short", "ly:short"};
+  }
   made.bound = with_doubtful_lengths(model == Model{ParameterGroup::Radius}
                                          ? testing::ball_session(nominal, made.truth, 1, noise)
                                          : testing::bar_session(nominal, made.truth, 1, noise, 4));
@@ -168,16 +176,17 @@ TEST_P(MonteCarloOfGroups, AgreesWithFirstOrderAndWithWholeIdentificationsOfRead
               4.0 * std::sqrt(2.0 / (number - 1) * shared_by(made.identification.covariance)));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Model, MonteCarloOfGroups,
-    ::testing::Values(Model{ParameterGroup::Eccentricity, ParameterGroup::SecondEccentricity},
-                      Model{ParameterGroup::Gain, ParameterGroup::Gravity, ParameterGroup::Thermal},
-                      Model{ParameterGroup::Coupling}, Model{ParameterGroup::Hayati}, Model{ParameterGroup::Radius}),
-    [](const auto& model) {
-      std::string name = model_text(model.param).substr(3);
-      std::replace(name.begin(), name.end(), '+', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Model, MonteCarloOfGroups,
+                         ::testing::Values(Model{ParameterGroup::Eccentricity, ParameterGroup::SecondEccentricity},
+                                           Model{ParameterGroup::Gain, ParameterGroup::Gravity,
+                                                 ParameterGroup::Thermal},
+                                           Model{ParameterGroup::Coupling}, Model{ParameterGroup::Hayati},
+                                           Model{ParameterGroup::Tip}, Model{ParameterGroup::Radius}),
+                         [](const auto& model) {
+                           std::string name = model_text(model.param).substr(3);
+                           std::replace(name.begin(), name.end(), '+', '_');
+                           return name;
+                         });
 
 TEST(MonteCarloOfModels, IsTheSameToTheBitForThreadsAndShares) {
   const Planted made = planted({ParameterGroup::Gain, ParameterGroup::Gravity}, {});
