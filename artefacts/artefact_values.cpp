@@ -38,6 +38,15 @@ double read_quantity(TomlTable& table, std::string_view key, std::optional<doubl
   return quantity.value_or(1.0);
 }
 
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string result;
+  for (auto at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
+    result += std::string(text.substr(0, at)) + std::string(to);
+    text.remove_prefix(at + from.size());
+  }
+  return result + std::string(text);
+}
+
 // How people write a rule: with or without signs of multiplication, as powers or superscripts.
 std::string without_decoration(std::string text) {
   for (const auto& [from, to] : {std::pair<std::string_view, std::string_view>{"²", "^2"},
@@ -46,9 +55,7 @@ std::string without_decoration(std::string text) {
                                  {"*", ""},
                                  {" ", ""},
                                  {"U=", ""}}) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-      text.replace(at, from.size(), to);
-    }
+    text = replaced(text, from, to);
   }
   return text;
 }
@@ -92,6 +99,24 @@ UncertaintyRule read_rule(TomlTable table, const ArtefactValues& values) {
   return rule;
 }
 
+// U of the certificate by its k, or by the k that the artefact file adds where the certificate has none.
+double u_of_certificate(TomlTable& table, const CertifiedUncertainty& certified, const std::string& k_key) {
+  if (certified.k > 0.0) {
+    return *certified.U / certified.k;
+  }
+  if (!table.has(k_key)) {
+    table.fail(k_key, fmt::format("the digital certificate states a relative uncertainty, U = {:.4g} mm, without its "
+                                  "coverage factor; state `{}` as the certificate's text does",
+                                  *certified.U, k_key));
+    return *certified.U;
+  }
+  const double k = read_factor(table, k_key);
+  if (k <= 0.0) {
+    table.fail(k_key, "a coverage factor of zero or less is none");
+  }
+  return *certified.U / (k > 0.0 ? k : 1.0);
+}
+
 }  // namespace
 
 double UncertaintyRule::standard_uncertainty(double length) const {
@@ -120,19 +145,24 @@ double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values,
 
 std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                        const std::string& k_own, const std::optional<UncertaintyRule>& rule,
-                                       double length, std::optional<double> certified) {
+                                       double length, const CertifiedUncertainty& certified) {
   if (table.has(U_key) && rule) {
     table.fail(U_key,
                fmt::format("`{}` is stated here, and [uncertainty] has a rule for it; state one of them", U_key));
   }
-  if (table.has(U_key) && certified) {
+  if (table.has(U_key) && certified.U) {
     table.fail(U_key, fmt::format("`{}` is stated here, and the digital certificate has it; leave it out", U_key));
   }
-  if (certified) {
-    return certified;
+  if (certified.U) {
+    return u_of_certificate(table, certified, table.has(k_own) ? k_own : "k");
   }
   if (table.has(U_key)) {
     return read_standard_uncertainty(table, values, U_key, k_own);
+  }
+  if (!rule && !certified.unread.empty()) {
+    table.fail(U_key, fmt::format("the digital certificate states an uncertainty in a form that is not read here, {}; "
+                                  "state `{}` and `{}` as the certificate does",
+                                  certified.unread, U_key, k_own));
   }
   return rule ? std::optional(rule->standard_uncertainty(length)) : std::nullopt;
 }

@@ -42,11 +42,22 @@ void read_rules(TomlTable table, ArtefactValues& values);
 double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                  const std::string& k_own = "k");
 
-/// The standard uncertainty of a value: `certified`, which came along from a digital certificate; or U and k beside it;
-/// or what the file's rule says at `length`; nothing where there is none of them. Two of them are an error.
+/// What a digital certificate says of a value's uncertainty.
+struct CertifiedUncertainty {
+  std::optional<double> U;  ///< expanded, mm; nothing where none is stated or none is read
+  double k = 0.0;           ///< its coverage factor; 0 where the certificate does not state it
+  std::string unread;       ///< what states an uncertainty that is not read; else empty
+
+  [[nodiscard]] std::optional<double> u() const { return U ? std::optional(*U / (k > 0.0 ? k : 1.0)) : std::nullopt; }
+};
+
+/// The standard uncertainty of a value: that which came along from a digital certificate, with `k` of the artefact file
+/// where the certificate has none; or U and k beside it; or what the file's rule says at `length`; nothing where there
+/// is none of them. Two of them are an error, and so is none where the certificate states one that is not read: it
+/// would be taken as zero.
 std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& values, const std::string& U_key,
                                        const std::string& k_own, const std::optional<UncertaintyRule>& rule,
-                                       double length, std::optional<double> certified);
+                                       double length, const CertifiedUncertainty& certified);
 
 /// A factor on lengths that were stated at a temperature of their own, and what it adds to their uncertainty.
 struct TemperatureConversion {

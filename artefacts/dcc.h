@@ -19,24 +19,35 @@ struct DccLabels {
   std::vector<std::string> ref_types;
 };
 
-/// The uncertainty of one number. A standard uncertainty stands here as U with k = 1.
+/// The uncertainty of one number, in its unit. A standard uncertainty stands here as U with k = 1.
 struct DccUncertainty {
-  double U = 0.0;  ///< in the quantity's unit
-  double k = 0.0;
+  double U = 0.0;
+  double k = 0.0;                     ///< 0: the certificate states no coverage factor (a relative uncertainty alone)
   std::optional<double> probability;  ///< of coverage, where it is stated
 };
 
-/// A quantity of a certificate as it stands there: one number or a list of them, in its own unit.
+/// A number or a list of numbers as it stands in a certificate.
+struct DccNumbers {
+  std::vector<double> values;                 ///< NaN where the certificate says so
+  std::vector<double> half_digits;            ///< half a unit of the last digit that each value is written with
+  std::vector<std::string> units;             ///< D-SI, such as "\\milli\\metre"; one a value
+  std::vector<std::string> labels;            ///< of each value; none where they have none
+  std::vector<DccUncertainty> uncertainties;  ///< one a value; none where none is stated or none is read
+  std::string unread_uncertainty;             ///< the element of an uncertainty that is stated but not read, else empty
+};
+
+/// A quantity of a certificate.
 struct DccQuantity {
   DccLabels labels;
-  std::vector<DccLabels> within;              ///< the lists and the result that it is part of, outermost first
-  std::string unit;                           ///< D-SI, such as "\\milli\\metre"
-  std::vector<double> values;                 ///< NaN where the certificate says so
-  std::vector<DccUncertainty> uncertainties;  ///< one a value; none where none is stated
+  std::vector<DccLabels> within;            ///< the lists and the result that it is part of, outermost first
+  std::vector<DccNumbers> representations;  ///< the same in several units (si:hybrid), or one; none with a `fault`
+  std::optional<Error> fault;               ///< why its numbers are not read; the other quantities are
   int line = 0;
 
   /// For people: its place and name, its first value.
   [[nodiscard]] std::string text() const;
+  /// The first representation. REQUIRES: there is no fault.
+  [[nodiscard]] const DccNumbers& numbers() const { return representations.front(); }
 };
 
 /// A digital calibration certificate (PTB DCC, schema versions 2.x and 3.x).
@@ -49,19 +60,17 @@ struct DccCertificate {
   std::vector<DccQuantity> quantities;  ///< of the results, in the file's order
 };
 
-/// Reads a DCC. In hybrid quantities the first representation counts; complex numbers, constants and texts are
-/// passed over. Refused: what is no DCC of these versions, a document type or entities of its own, deep nesting,
-/// another encoding than UTF-8, a number or a date that is none, more than 16 MiB.
+/// Reads a DCC. Texts are passed over; a quantity that is not read (a number that is none, complex numbers) has a
+/// fault and does not keep the others from being read. Refused: what is no DCC of these versions, a document type or
+/// entities of its own, deep nesting, another encoding than UTF-8, a date that is none, more than 16 MiB.
 Expected<DccCertificate> read_dcc_file(const std::filesystem::path& path);
 
 /// The one quantity that `key` names: by id, else by name, else by reference type; or by "part/…/name", where parts are
-/// ids, names or reference types of what it is in. None or several: a refusal that lists what there is.
+/// ids, names or reference types of what it is in. White space within names does not matter. None or several: a refusal
+/// that lists what there is. One with a fault: its fault.
 Expected<DccQuantity> find_quantity(const DccCertificate& certificate, std::string_view key);
 
 /// All quantities of a certificate in a line, for people; the first dozen if there are more.
 std::string list_of_quantities(const DccCertificate& certificate);
-
-/// The factor from a D-SI unit of length to mm; nothing where it is not one that is known here.
-std::optional<double> dsi_length_unit(std::string_view unit);
 
 }  // namespace artcal

@@ -10,11 +10,13 @@ namespace artcal {
 
 // One line without control characters, and without the white space that the schema refuses at the ends.
 std::string plain(const std::string& text) {
-  std::string clean = text;
-  for (auto control = find_control(clean); control; control = find_control(clean)) {
-    clean.replace(control->offset, control->length, 1, ' ');
+  std::string clean;
+  std::string_view rest = text;
+  for (auto control = find_control(rest); control; control = find_control(rest)) {
+    clean += std::string(rest.substr(0, control->offset)) + " ";
+    rest.remove_prefix(control->offset + control->length);
   }
-  std::istringstream words(clean);
+  std::istringstream words(clean + std::string(rest));
   std::string line;
   for (std::string word; words >> word;) {
     line += (line.empty() ? "" : " ") + word;

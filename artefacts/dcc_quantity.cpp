@@ -1,111 +1,85 @@
 #include "artefacts/dcc_quantity.h"
 
+#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <iterator>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "artefacts/xml.h"
+#include "artefacts/dcc_numbers.h"
+#include "artefacts/dcc_relative.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  return {std::istream_iterator<std::string>(stream), {}};
+constexpr std::array<std::string_view, 3> texts{"noQuantity", "charsXMLList", "chars"};
+constexpr std::array<std::string_view, 9> numbers{"real",        "realListXMLList",    "realList",
+                                                  "list",        "constant",           "complex",
+                                                  "complexList", "complexListXMLList", "hybrid"};
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Expected<std::vector<double>> numbers_of(const TextFile& file, const pugi::xml_node& node) {
-  std::vector<double> numbers;
-  for (const std::string& word : words_of(text_of(node))) {
-    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* end = word.data() + word.size();
-    double number = 0.0;
-    const auto [rest, error] = std::from_chars(begin, end, number);
-    const bool not_measured = word == "NaN";  // D-SI allows it; it is refused where it is asked for
-    if (!not_measured && (error != std::errc{} || rest != end || !std::isfinite(number))) {
-      return bad_input(fmt::format("{} holds {}, expected a number", in_quotes(node.name()), in_quotes(word)),
-                       place_of(file, node));
-    }
-    numbers.push_back(not_measured ? std::nan("") : number);
-  }
-  return numbers;
-}
-
-// Numbers of an element that may be absent: none then.
-Expected<std::vector<double>> numbers_in(const TextFile& file, const pugi::xml_node& parent, std::string_view name) {
-  const pugi::xml_node node = child_of(parent, name);
-  return node ? numbers_of(file, node) : std::vector<double>{};
-}
-
-/// Where one form of uncertainty keeps its numbers; all names also with "XMLList" behind them.
-struct UncertaintyForm {
-  const char* element;
-  const char* value;
-  bool expanded;  // with coverageFactor, or else a standard uncertainty
-};
-constexpr std::array forms{
-    UncertaintyForm{"expandedUnc", "uncertainty", true},
-    UncertaintyForm{"coverageInterval", "standardUnc", false},
-    UncertaintyForm{"expandedMU", "valueExpandedMU", true},
-    UncertaintyForm{"standardMU", "valueStandardMU", false},
-    UncertaintyForm{"coverageIntervalMU", "valueStandardMU", false},
-};
-
-// One for all, or one each.
-double at(const std::vector<double>& numbers, std::size_t i) { return numbers[numbers.size() == 1 ? 0 : i]; }
-
-Expected<std::vector<DccUncertainty>> read_form(const TextFile& file, const pugi::xml_node& node,
-                                                const UncertaintyForm& form, const std::string& suffix,
-                                                std::size_t count) {
-  const auto U = numbers_in(file, node, form.value + suffix);
-  const auto k = form.expanded ? numbers_in(file, node, "coverageFactor" + suffix)
-                               : Expected<std::vector<double>>(std::vector<double>{1.0});
-  const auto p = numbers_in(file, node, "coverageProbability" + suffix);
-  for (const auto* numbers : {&U, &k, &p}) {
-    if (!*numbers) {
-      return tl::unexpected(numbers->error());
+// The elements with a quantity's numbers: what a hybrid holds, or else the one that the quantity holds.
+std::vector<pugi::xml_node> number_nodes(const pugi::xml_node& parent) {
+  std::vector<pugi::xml_node> found;
+  for (const pugi::xml_node& node : parent.children()) {
+    if (node.type() == pugi::node_element && is_one_of(numbers, local_name(node))) {
+      found.push_back(node);
     }
   }
-  const auto fits = [count](const auto& numbers) { return numbers.size() == 1 || numbers.size() == count; };
-  if (!fits(*U) || !fits(*k) || !(p->empty() || fits(*p))) {
-    return bad_input(
-        fmt::format("the uncertainty holds {} values and {} coverage factors for {} numbers, expected one for "
-                    "all or one each",
-                    U->size(), k->size(), count),
-        place_of(file, node));
-  }
-  std::vector<DccUncertainty> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    all.push_back({at(*U, i), at(*k, i), p->empty() || !form.expanded ? std::nullopt : std::optional(at(*p, i))});
-  }
-  return all;
+  return found;
 }
 
-Expected<std::vector<DccUncertainty>> read_uncertainties(const TextFile& file, const pugi::xml_node& real,
-                                                         const std::string& suffix, std::size_t count) {
-  const pugi::xml_node univariate = child_of(real, "measurementUncertaintyUnivariate" + suffix);
-  for (const UncertaintyForm& form : forms) {
-    for (const pugi::xml_node& parent : {real, univariate}) {
-      if (const pugi::xml_node node = child_of(parent, form.element + suffix)) {
-        return read_form(file, node, form, suffix, count);
-      }
+bool is_text(const pugi::xml_node& quantity) {
+  return quantity.find_child([](const pugi::xml_node& child) { return is_one_of(texts, local_name(child)); });
+}
+
+Expected<std::vector<DccNumbers>> read_representations(const XmlSource& source, const pugi::xml_node& quantity) {
+  std::vector<pugi::xml_node> nodes = number_nodes(quantity);
+  if (nodes.size() != 1) {
+    return bad_input(fmt::format("the quantity holds {} elements with numbers, expected one, such as si:real",
+                                 nodes.empty() ? "no" : fmt::to_string(nodes.size())),
+                     source.place_of(quantity));
+  }
+  if (local_name(nodes.front()) == "hybrid") {
+    nodes = number_nodes(nodes.front());
+  }
+  std::vector<DccNumbers> representations;
+  for (const pugi::xml_node& node : nodes) {
+    auto read = read_dcc_numbers(source, node);
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    representations.push_back(std::move(*read));
+  }
+  if (representations.empty()) {
+    return bad_input("the quantity's si:hybrid is empty", source.place_of(quantity));
+  }
+  if (auto added = add_relative_uncertainty(source, quantity, representations); !added) {
+    return tl::unexpected(added.error());
+  }
+  return representations;
+}
+
+void add_name(DccLabels& labels, const std::string& name) {
+  if (!name.empty() && std::find(labels.names.begin(), labels.names.end(), name) == labels.names.end()) {
+    labels.names.push_back(name);
+  }
+}
+
+// Some certificates name their quantities in si:label alone.
+void add_si_labels(const pugi::xml_node& parent, DccLabels& labels) {
+  for (const pugi::xml_node& node : number_nodes(parent)) {
+    add_name(labels, in_one_line_of_words(text_of(child_of(node, "label"))));
+    add_name(labels, in_one_line_of_words(text_of(child_of(node, "labelXMLList"))));
+    if (local_name(node) == "hybrid") {
+      add_si_labels(node, labels);
     }
   }
-  return std::vector<DccUncertainty>{};
-}
-
-// The si:real or si:realListXMLList of a quantity; in a hybrid the first, which D-SI wants in base units.
-pugi::xml_node number_node(const pugi::xml_node& quantity) {
-  const pugi::xml_node hybrid = child_of(quantity, "hybrid");
-  const pugi::xml_node parent = hybrid ? hybrid : quantity;
-  const pugi::xml_node real = child_of(parent, "real");
-  return real ? real : child_of(parent, "realListXMLList");
 }
 
 }  // namespace
@@ -116,36 +90,25 @@ DccLabels dcc_labels(const pugi::xml_node& node) {
   labels.ref_types = words_of(node.attribute("refType").value());
   for (const pugi::xml_node& content : child_of(node, "name").children()) {
     if (local_name(content) == "content") {
-      labels.names.push_back(text_of(content));
+      add_name(labels, in_one_line_of_words(text_of(content)));
     }
   }
   return labels;
 }
 
-Expected<std::optional<DccQuantity>> read_quantity(const TextFile& file, const pugi::xml_node& node) {
-  const pugi::xml_node real = number_node(node);
-  if (!real) {
+std::optional<DccQuantity> read_quantity(const XmlSource& source, const pugi::xml_node& node) {
+  if (is_text(node)) {
     return std::nullopt;
   }
-  const bool is_list = local_name(real) == "realListXMLList";
-  const std::string suffix = is_list ? "XMLList" : "";
-  const pugi::xml_node value = child_of(real, "value" + suffix);
-  const pugi::xml_node unit = child_of(real, "unit" + suffix);
-  const auto values = numbers_of(file, value ? value : real);
-  if (!values) {
-    return tl::unexpected(values.error());
+  DccQuantity quantity{dcc_labels(node), {}, {}, std::nullopt, source.line_of(node)};
+  add_si_labels(node, quantity.labels);
+  auto representations = read_representations(source, node);
+  if (representations) {
+    quantity.representations = std::move(*representations);
+  } else {
+    quantity.fault = std::move(representations.error());
   }
-  const auto units = words_of(text_of(unit));
-  if (values->empty() || (!is_list && values->size() != 1) || units.size() != 1) {
-    return bad_input(fmt::format("{} holds {} values and {} units, expected {} and one unit", in_quotes(real.name()),
-                                 values->size(), units.size(), is_list ? "numbers" : "one number"),
-                     place_of(file, real));
-  }
-  const auto uncertainties = read_uncertainties(file, real, suffix, values->size());
-  if (!uncertainties) {
-    return tl::unexpected(uncertainties.error());
-  }
-  return DccQuantity{dcc_labels(node), {}, units.front(), *values, *uncertainties, line_of(file, node)};
+  return quantity;
 }
 
 }  // namespace artcal

@@ -3,20 +3,16 @@
 #include <optional>
 
 #include "artefacts/dcc.h"
-#include "core/text_file.h"
-
-namespace pugi {
-class xml_node;
-}
+#include "artefacts/xml.h"
 
 namespace artcal {
 
 /// What an element of a DCC is called.
 DccLabels dcc_labels(const pugi::xml_node& node);
 
-/// Reads the number or list of numbers of a dcc:quantity. Nothing where it holds none. Both generations of D-SI
-/// uncertainties: expandedUnc, coverageInterval; measurementUncertaintyUnivariate with standardMU, expandedMU,
-/// coverageIntervalMU; and their lists.
-Expected<std::optional<DccQuantity>> read_quantity(const TextFile& file, const pugi::xml_node& node);
+/// Reads a dcc:quantity: si:real, si:constant, si:realListXMLList, si:realList, si:list of si:real, or several of one
+/// of them in si:hybrid; and dcc:relativeUncertainty where none of them states an uncertainty itself. What is not read
+/// becomes the quantity's fault. Nothing where the quantity holds a text.
+std::optional<DccQuantity> read_quantity(const XmlSource& source, const pugi::xml_node& node);
 
 }  // namespace artcal

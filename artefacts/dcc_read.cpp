@@ -22,17 +22,17 @@ std::string_view namespace_of(const pugi::xml_node& node) {
   return node.attribute(attribute.c_str()).value();
 }
 
-Expected<void> check_root(const TextFile& file, const pugi::xml_node& root) {
+Expected<void> check_root(const XmlSource& source, const pugi::xml_node& root) {
   if (local_name(root) != "digitalCalibrationCertificate" || namespace_of(root) != dcc_namespace) {
     return bad_input(fmt::format("this is no digital calibration certificate: its root is {}, expected "
                                  "digitalCalibrationCertificate of {}",
                                  in_quotes(root.name()), dcc_namespace),
-                     file.path.string());
+                     source.file().path.string());
   }
   const std::string version = root.attribute("schemaVersion").value();
   if (!version.starts_with("2.") && !version.starts_with("3.")) {
     return bad_input(fmt::format("the certificate's schemaVersion is {}, expected 2.x or 3.x", in_quotes(version)),
-                     place_of(file, root));
+                     source.place_of(root));
   }
   return {};
 }
@@ -45,49 +45,42 @@ std::string name_of(const pugi::xml_node& named) {
       continue;
     }
     if (first.empty() || std::string_view(content.attribute("lang").value()) == "en") {
-      first = text_of(content);
+      first = in_one_line_of_words(text_of(content));
     }
   }
   return at_most(200, first);
 }
 
-Expected<Certificate> read_certificate(const TextFile& file, const pugi::xml_node& administrative) {
+Expected<Certificate> read_certificate(const XmlSource& source, const pugi::xml_node& administrative) {
   const pugi::xml_node core = child_of(administrative, "coreData");
   Certificate certificate;
-  certificate.number = at_most(200, text_of(child_of(core, "uniqueIdentifier")));
+  certificate.number = at_most(200, in_one_line_of_words(text_of(child_of(core, "uniqueIdentifier"))));
   certificate.laboratory = name_of(child_of(child_of(administrative, "calibrationLaboratory"), "contact"));
   const pugi::xml_node end = child_of(core, "endPerformanceDate");
   certificate.date = text_of(end).substr(0, 10);  // xs:date may carry a time zone
   if (!is_calendar_date(certificate.date)) {
     return bad_input(fmt::format("endPerformanceDate is {}, expected a day of the calendar such as 2026-03-02",
                                  in_quotes(text_of(end))),
-                     place_of(file, end ? end : administrative));
+                     source.place_of(end ? end : administrative));
   }
   return certificate;
 }
 
 // Quantities of dcc:data and dcc:list. Recursion ends: parse_xml() bounds the nesting.
-Expected<void> collect(const TextFile& file, const pugi::xml_node& parent, std::vector<DccLabels> within,
-                       std::vector<DccQuantity>& found) {
+void collect(const XmlSource& source, const pugi::xml_node& parent, std::vector<DccLabels> within,
+             std::vector<DccQuantity>& found) {
   within.push_back(dcc_labels(parent));
   for (const pugi::xml_node& node : parent.children()) {
     const std::string_view name = local_name(node);
     if (name == "list" || name == "data") {
-      if (auto collected = collect(file, node, within, found); !collected) {
-        return collected;
-      }
+      collect(source, node, within, found);
     } else if (name == "quantity") {
-      auto quantity = read_quantity(file, node);
-      if (!quantity) {
-        return tl::unexpected(quantity.error());
-      }
-      if (*quantity) {
-        (*quantity)->within = within;
-        found.push_back(std::move(**quantity));
+      if (auto quantity = read_quantity(source, node)) {
+        quantity->within = within;
+        found.push_back(std::move(*quantity));
       }
     }
   }
-  return {};
 }
 
 }  // namespace
@@ -98,16 +91,17 @@ bool looks_like_xml(const TextFile& file) {
 }
 
 Expected<DccCertificate> read_dcc(const TextFile& file) {
+  const XmlSource source(file);
   pugi::xml_document document;
-  if (auto parsed = parse_xml(file, document); !parsed) {
+  if (auto parsed = parse_xml(source, document); !parsed) {
     return tl::unexpected(parsed.error());
   }
   const pugi::xml_node root = document.document_element();
-  if (auto checked = check_root(file, root); !checked) {
+  if (auto checked = check_root(source, root); !checked) {
     return tl::unexpected(checked.error());
   }
   const pugi::xml_node administrative = child_of(root, "administrativeData");
-  auto certificate = read_certificate(file, administrative);
+  auto certificate = read_certificate(source, administrative);
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
@@ -119,9 +113,7 @@ Expected<DccCertificate> read_dcc(const TextFile& file) {
                         {}};
   for (const pugi::xml_node& measurement : child_of(root, "measurementResults").children()) {
     for (const pugi::xml_node& node : child_of(measurement, "results").children()) {
-      if (auto collected = collect(file, node, {dcc_labels(measurement)}, result.quantities); !collected) {
-        return tl::unexpected(collected.error());
-      }
+      collect(source, node, {dcc_labels(measurement)}, result.quantities);
     }
   }
   return result;

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "artefacts/dcc.h"
+#include "artefacts/xml.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -97,7 +97,12 @@ std::string DccQuantity::text() const {
   if (!labels.ref_types.empty()) {
     place += fmt::format(" [{}]", at_most(40, labels.ref_types.front()));
   }
-  return fmt::format("{} = {}{} {}", place, values.front(), values.size() > 1 ? " …" : "", at_most(40, unit));
+  if (fault) {
+    return fmt::format("{} (not read: {})", place, at_most(80, fault->message));
+  }
+  const DccNumbers& first = numbers();
+  return fmt::format("{} = {}{} {}", place, first.values.front(), first.values.size() > 1 ? " …" : "",
+                     at_most(40, first.units.front()));
 }
 
 std::string list_of_quantities(const DccCertificate& certificate) {
@@ -105,9 +110,9 @@ std::string list_of_quantities(const DccCertificate& certificate) {
 }
 
 Expected<DccQuantity> find_quantity(const DccCertificate& certificate, std::string_view key) {
-  const auto found = candidates(certificate, key);
+  const auto found = candidates(certificate, in_one_line_of_words(key));
   if (found.size() == 1) {
-    return *found.front();
+    return found.front()->fault ? Expected<DccQuantity>(tl::unexpected(*found.front()->fault)) : *found.front();
   }
   if (certificate.quantities.empty()) {
     return bad_input(fmt::format("the certificate {} has no quantity {}, and no other with a number",
@@ -121,23 +126,6 @@ Expected<DccQuantity> find_quantity(const DccCertificate& certificate, std::stri
       fmt::format("{} quantities of the certificate {} are called {}; name one by its id, or with the name of "
                   "what it is in before it (\"table/name\"): {}",
                   found.size(), in_quotes(certificate.input.path), in_quotes(key), list_of(found)));
-}
-
-std::optional<double> dsi_length_unit(std::string_view unit) {
-  constexpr std::string_view metre = "\\metre";
-  if (!unit.ends_with(metre)) {
-    return std::nullopt;
-  }
-  const std::string_view prefix = unit.substr(0, unit.size() - metre.size());
-  constexpr std::pair<std::string_view, double> prefixes[] = {{"", 1e3},        {"\\kilo", 1e6},  {"\\deci", 1e2},
-                                                              {"\\centi", 1e1}, {"\\milli", 1.0}, {"\\micro", 1e-3},
-                                                              {"\\nano", 1e-6}};
-  for (const auto& [name, factor] : prefixes) {
-    if (name == prefix) {
-      return factor;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace artcal

@@ -42,7 +42,7 @@ void check_ends(TomlTable& table, std::string_view key, const CertifiedFeature& 
 
 CertifiedDistance make_distance(TomlTable& table, const char* value_key, const Artefact& artefact,
                                 const ArtefactValues& values, int first, int second, double value,
-                                std::optional<double> certified, const TemperatureConversion& conversion) {
+                                const CertifiedUncertainty& certified, const TemperatureConversion& conversion) {
   CertifiedDistance distance{first, second, value * conversion.factor, 1.0};
   if (distance.value <= 0.0) {
     table.fail(value_key, "a certified distance is not above zero");
@@ -75,8 +75,8 @@ std::vector<CertifiedDistance> read_one(TomlTable& table, const Artefact& artefa
     return {};
   }
   const LengthValues stated = read_length(table, "value", values);
-  return {make_distance(table, "value", artefact, values, ends[0], ends[1], stated.values.front(), stated.u_of(0),
-                        read_conversion(table, values))};
+  return {make_distance(table, "value", artefact, values, ends[0], ends[1], stated.values.front(),
+                        stated.certified_of(0), read_conversion(table, values))};
 }
 
 // The temperature of each value of a row: `temperatures_C`, or `temperature_C` for all.
@@ -118,7 +118,7 @@ std::vector<CertifiedDistance> read_row(TomlTable& table, const Artefact& artefa
       return {};
     }
     all.push_back(make_distance(table, key, artefact, values, row[from_first ? 0 : i], row[i + 1], numbers[i],
-                                stated.u_of(i), conversions[i]));
+                                stated.certified_of(i), conversions[i]));
   }
   return all;
 }

@@ -1,6 +1,5 @@
 #include "artefacts/feature_table.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -63,8 +62,7 @@ void read_place(TomlTable& table, const ArtefactValues& values, const Temperatur
     table.fail("at", fmt::format("the point is {:.6g} mm from the origin; is it in the wrong unit?", length));
     return;
   }
-  const auto certified = at.u.empty() ? std::nullopt : std::optional(*std::max_element(at.u.begin(), at.u.end()));
-  if (const auto u = read_uncertainty(table, values, "U_at", "k_at", values.at_rule, length, certified)) {
+  if (const auto u = read_uncertainty(table, values, "U_at", "k_at", values.at_rule, length, at.largest_certified())) {
     feature.u_at = std::hypot(*u, conversion.relative_u * length);
   }
 }
@@ -105,8 +103,8 @@ void read_diameter(TomlTable& table, const ArtefactValues& values, const Tempera
     return;
   }
   feature.radius = 0.5 * diameter;
-  if (const auto u =
-          read_uncertainty(table, values, "U_diameter", "k_diameter", values.diameter_rule, diameter, stated.u_of(0))) {
+  if (const auto u = read_uncertainty(table, values, "U_diameter", "k_diameter", values.diameter_rule, diameter,
+                                      stated.certified_of(0))) {
     feature.u_radius = 0.5 * std::hypot(*u, conversion.relative_u * diameter);
     if (*u > 0.05 * diameter) {
       table.fail("U_diameter",
@@ -130,7 +128,8 @@ void read_form(TomlTable& table, const ArtefactValues& values, CertifiedFeature&
     table.fail("form", "a form deviation is a range of residuals and not below zero");
   }
   feature.u_form =
-      read_uncertainty(table, values, "U_form", "k_form", std::nullopt, *feature.form, stated.u_of(0)).value_or(0.0);
+      read_uncertainty(table, values, "U_form", "k_form", std::nullopt, *feature.form, stated.certified_of(0))
+          .value_or(0.0);
 }
 
 }  // namespace

@@ -1,83 +1,104 @@
 #include "artefacts/length_values.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "artefacts/dcc.h"
+#include "artefacts/dcc_length.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::string_view known_units = "\\metre with no prefix or \\kilo, \\deci, \\centi, \\milli, \\micro, \\nano";
+/// Of the certificate, with the labels of the single numbers.
+struct LabelledLengths {
+  LengthValues lengths;
+  std::vector<std::string> labels;  ///< one a value; empty where it has none
+};
 
-// Appends a quantity's numbers; a sentence where they are no lengths with sound uncertainties.
-std::string append(const DccQuantity& quantity, LengthValues& lengths) {
-  const auto unit = dsi_length_unit(quantity.unit);
-  if (!unit) {
-    return fmt::format("the certificate's quantity {} is in {}, which is no unit of length known here, expected {}",
-                       in_quotes(quantity.text()), in_quotes(quantity.unit), known_units);
-  }
-  for (const double value : quantity.values) {
-    if (!std::isfinite(value)) {
-      return fmt::format("the certificate's quantity {} holds a NaN, no number", in_quotes(quantity.text()));
+void append(const DccLengths& more, LabelledLengths& all) {
+  for (std::size_t i = 0; i < more.values.size(); ++i) {
+    all.lengths.values.push_back(more.values[i]);
+    all.labels.push_back(more.labels.empty() ? "" : more.labels[i]);
+    CertifiedUncertainty& certified = all.lengths.certified.emplace_back();
+    certified.unread = more.unread_uncertainty;
+    if (!more.uncertainties.empty()) {
+      certified.U = more.uncertainties[i].U;
+      certified.k = more.uncertainties[i].k;
     }
-    lengths.values.push_back(value * *unit);
   }
-  for (const DccUncertainty& uncertainty : quantity.uncertainties) {
-    if (!(uncertainty.U > 0.0) || !(uncertainty.k > 0.0)) {
-      return fmt::format(
-          "the certificate's quantity {} has U = {} and k = {}; an uncertainty of zero or less is not one",
-          in_quotes(quantity.text()), uncertainty.U, uncertainty.k);
-    }
-    lengths.u.push_back(uncertainty.U / uncertainty.k * *unit);
-  }
-  return {};
 }
 
-void choose_item(TomlTable& reference, LengthValues& lengths) {
+// The place of the number that `item` names, by its place from 1 or by its label.
+std::optional<std::size_t> chosen_item(TomlTable& reference, const std::vector<std::string>& labels) {
+  if (reference.is_text("item")) {
+    const std::string label = reference.text("item");
+    const auto count = std::count(labels.begin(), labels.end(), label);
+    if (label.empty() || count != 1) {
+      reference.fail("item", fmt::format("{} of the certificate's numbers are labelled {}, expected one", count,
+                                         in_quotes(label)));
+      return std::nullopt;
+    }
+    return static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+  }
   const double item = reference.number("item");
-  if (item != std::floor(item) || item < 1.0 || item > static_cast<double>(lengths.values.size())) {
-    reference.fail("item", fmt::format("item is {}, expected a number from 1 to {}", item, lengths.values.size()));
-    return;
+  if (item != std::floor(item) || item < 1.0 || item > static_cast<double>(labels.size())) {
+    reference.fail("item", fmt::format("item is {}, expected a number from 1 to {}", item, labels.size()));
+    return std::nullopt;
   }
-  const auto index = static_cast<std::size_t>(item) - 1;
-  lengths.values = {lengths.values[index]};
-  if (!lengths.u.empty()) {
-    lengths.u = {lengths.u[index]};
-  }
+  return static_cast<std::size_t>(item) - 1;
+}
+
+bool some_lack_uncertainty(const std::vector<CertifiedUncertainty>& all) {
+  const auto stated = std::count_if(all.begin(), all.end(), [](const auto& one) { return one.U.has_value(); });
+  return stated != 0 && stated != std::ssize(all);
 }
 
 LengthValues from_certificate(TomlTable& table, std::string_view key, const ArtefactValues& values) {
   TomlTable reference = table.table(key);
-  LengthValues lengths;
+  LabelledLengths all;
   const auto names = reference.is_text("dcc") ? std::vector{reference.text("dcc")} : reference.texts("dcc");
   if (names.empty()) {
     reference.fail("dcc", "expected the certificate's quantity, such as { dcc = \"diameter A\" }");
   } else if (values.dcc == nullptr) {
     reference.fail("dcc", "the file names no digital certificate; write dcc = \"certificate.xml\" at its top");
-    return lengths;
+    return {};
   }
   for (const auto& name : names) {
-    const auto quantity = find_quantity(*values.dcc, name);
-    const std::string wrong = quantity ? append(*quantity, lengths) : quantity.error().message;
-    if (!wrong.empty()) {
-      reference.fail("dcc", wrong);
+    const auto lengths = find_quantity(*values.dcc, name).and_then(lengths_of);
+    if (!lengths) {
+      reference.fail("dcc", lengths.error().text());
       return {};
     }
-  }
-  if (!lengths.u.empty() && lengths.u.size() != lengths.values.size()) {
-    reference.fail("dcc", "of these quantities some have an uncertainty in the certificate and some have none");
-    lengths.u.clear();
+    append(*lengths, all);
   }
   if (reference.has("item")) {
-    choose_item(reference, lengths);
+    const auto item = chosen_item(reference, all.labels);
+    return item ? LengthValues{{all.lengths.values[*item]}, {all.lengths.certified[*item]}} : LengthValues{};
   }
-  return lengths;
+  if (some_lack_uncertainty(all.lengths.certified)) {
+    reference.fail("dcc", "of these quantities some have an uncertainty in the certificate and some have none");
+    return {};
+  }
+  return all.lengths;
 }
 
 }  // namespace
+
+CertifiedUncertainty LengthValues::largest_certified() const {
+  CertifiedUncertainty largest;
+  for (const CertifiedUncertainty& one : certified) {
+    if (largest.unread.empty()) {
+      largest.unread = one.unread;
+    }
+    if (one.u() > largest.u()) {  // nothing is less than any
+      largest.U = one.U;
+      largest.k = one.k;
+    }
+  }
+  return largest;
+}
 
 LengthValues read_lengths(TomlTable& table, std::string_view key, const ArtefactValues& values) {
   if (table.is_table(key)) {

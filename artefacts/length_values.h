@@ -8,18 +8,20 @@
 
 namespace artcal {
 
-/// Lengths in mm, and their standard uncertainties where they came along from a digital certificate.
+/// Lengths in mm, and what a digital certificate says of their uncertainties.
 struct LengthValues {
   std::vector<double> values;
-  std::vector<double> u;  ///< mm, one a value; none where none came along
+  std::vector<CertifiedUncertainty> certified;  ///< one a value; none where no certificate was asked
 
-  [[nodiscard]] std::optional<double> u_of(std::size_t i) const {
-    return u.empty() ? std::nullopt : std::optional(u[i]);
+  [[nodiscard]] CertifiedUncertainty certified_of(std::size_t i) const {
+    return certified.empty() ? CertifiedUncertainty{} : certified[i];
   }
+  /// The largest, for all of them together. REQUIRES: the certificate states one for each, or for none.
+  [[nodiscard]] CertifiedUncertainty largest_certified() const;
 };
 
 /// Reads an array of numbers in the file's unit, or a reference to the file's digital certificate: { dcc = "name" }, or
-/// names of several quantities, with { …, item = 2 } for one number of a list.
+/// names of several quantities, with { …, item = 2 } for one number of a list, by its place or by its label.
 LengthValues read_lengths(TomlTable& table, std::string_view key, const ArtefactValues& values);
 
 /// The same for one number; there is always one value, whatever is noted as wrong.

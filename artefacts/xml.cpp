@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -13,14 +15,7 @@ namespace {
 
 constexpr int deepest = 64;
 
-int line_at(const TextFile& file, std::ptrdiff_t offset) {
-  const auto end = file.text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(file.text));
-  return 1 + static_cast<int>(std::count(file.text.begin(), end, '\n'));
-}
-
-std::string position(const TextFile& file, std::ptrdiff_t offset) {
-  return fmt::format("{}:{}", file.path.string(), line_at(file, offset));
-}
+constexpr std::string_view blank = " \t\r\n";
 
 // The first element that is nested too deep. Without recursion: the nesting is the attacker's.
 pugi::xml_node too_deep(const pugi::xml_node& root) {
@@ -50,25 +45,41 @@ bool is_utf8(std::string encoding) {
 
 }  // namespace
 
-Expected<void> parse_xml(const TextFile& file, pugi::xml_document& document) {
-  constexpr unsigned options = pugi::parse_default | pugi::parse_doctype | pugi::parse_declaration;
+int XmlSource::line_of(const pugi::xml_node& node) const {
+  return lines_.line_at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0)));
+}
+
+std::string XmlSource::place_of(const pugi::xml_node& node) const {
+  return fmt::format("{}:{}", file_.path.string(), line_of(node));
+}
+
+std::string XmlSource::place_at(std::ptrdiff_t offset) const {
+  return fmt::format("{}:{}", file_.path.string(),
+                     lines_.line_at(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0))));
+}
+
+Expected<void> parse_xml(const XmlSource& source, pugi::xml_document& document) {
+  // Blanks between two pieces of an element's text (a comment on either side) separate numbers: they are kept.
+  constexpr unsigned options =
+      pugi::parse_default | pugi::parse_doctype | pugi::parse_declaration | pugi::parse_ws_pcdata;
+  const TextFile& file = source.file();
   const auto parsed = document.load_buffer(file.text.data(), file.text.size(), options, pugi::encoding_utf8);
   if (!parsed) {
-    return bad_input(fmt::format("this is not valid XML: {}", parsed.description()), position(file, parsed.offset));
+    return bad_input(fmt::format("this is not valid XML: {}", parsed.description()), source.place_at(parsed.offset));
   }
   for (const pugi::xml_node& node : document.children()) {
     if (node.type() == pugi::node_doctype) {
       return bad_input("the file has a document type (<!DOCTYPE …>), which no certificate needs; it is not read",
-                       position(file, node.offset_debug()));
+                       source.place_of(node));
     }
     if (node.type() == pugi::node_declaration && !is_utf8(node.attribute("encoding").value())) {
       return bad_input(fmt::format("the file says that its encoding is {}, expected UTF-8; save it as UTF-8",
                                    in_quotes(node.attribute("encoding").value())),
-                       position(file, node.offset_debug()));
+                       source.place_of(node));
     }
   }
   if (const pugi::xml_node node = too_deep(document)) {
-    return bad_input(fmt::format("elements are nested more than {} deep", deepest), place_of(file, node));
+    return bad_input(fmt::format("elements are nested more than {} deep", deepest), source.place_of(node));
   }
   return {};
 }
@@ -83,16 +94,40 @@ pugi::xml_node child_of(const pugi::xml_node& node, std::string_view name) {
   return node.find_child([name](const pugi::xml_node& child) { return local_name(child) == name; });
 }
 
+pugi::xml_node first_element(const pugi::xml_node& node) {
+  return node.find_child([](const pugi::xml_node& child) { return child.type() == pugi::node_element; });
+}
+
 std::string text_of(const pugi::xml_node& node) {
-  std::string text = node.text().get();
-  constexpr std::string_view blank = " \t\r\n";
+  std::string text;
+  for (const pugi::xml_node& piece : node.children()) {
+    if (piece.type() == pugi::node_pcdata || piece.type() == pugi::node_cdata) {
+      text += piece.value();
+    }
+  }
   text.erase(0, std::min(text.find_first_not_of(blank), text.size()));
   text.erase(text.find_last_not_of(blank) + 1);
   return text;
 }
 
-int line_of(const TextFile& file, const pugi::xml_node& node) { return line_at(file, node.offset_debug()); }
+std::string in_one_line_of_words(std::string_view text) {
+  std::string words;
+  for (const char c : text) {
+    if (blank.find(c) == std::string_view::npos) {
+      words += c;
+    } else if (!words.empty() && words.back() != ' ') {
+      words += ' ';
+    }
+  }
+  if (words.ends_with(' ')) {
+    words.pop_back();
+  }
+  return words;
+}
 
-std::string place_of(const TextFile& file, const pugi::xml_node& node) { return position(file, node.offset_debug()); }
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
 
 }  // namespace artcal

@@ -87,7 +87,7 @@ TEST_F(DccArtefactTest, RefusesOtherQuantitiesThanLengths) {
 
 TEST_F(DccArtefactTest, RefusesUncertaintiesOfZeroInTheCertificate) {
   (void)folder_.write("ball-bar-dcc-3.3.0.xml", replaced(content("ball-bar-dcc-3.3.0.xml"), ">0.8<", ">0<"));
-  EXPECT_THAT(refusal("\"ball bar of three\"", "\"b\""), HasSubstr("has U = 0 and k = 2"));
+  EXPECT_THAT(refusal("\"ball bar of three\"", "\"b\""), HasSubstr("has U = 0 mm and k = 2"));
 }
 
 TEST_F(DccArtefactTest, RefusesAnotherCertificatesNumberOrDate) {

@@ -64,10 +64,10 @@ TEST(DccWrite, IsValidAndReadsBackAsWhatItWas) {
   EXPECT_EQ(certificate->item, "Arm");
   EXPECT_FALSE(certificate->is_signed);
   ASSERT_EQ(certificate->quantities.size(), 6u);
-  EXPECT_EQ(certificate->quantities[0].values[0], 1.0 / 3.0) << "every digit";
-  EXPECT_EQ(certificate->quantities[0].uncertainties[0].U, 2e-7);
-  EXPECT_EQ(certificate->quantities[1].values[0], -1.5e-300);
-  EXPECT_TRUE(certificate->quantities[2].uncertainties.empty());
+  EXPECT_EQ(certificate->quantities[0].numbers().values[0], 1.0 / 3.0) << "every digit";
+  EXPECT_EQ(certificate->quantities[0].numbers().uncertainties[0].U, 2e-7);
+  EXPECT_EQ(certificate->quantities[1].numbers().values[0], -1.5e-300);
+  EXPECT_TRUE(certificate->quantities[2].numbers().uncertainties.empty());
 }
 
 // The test would notice: the same file with a date that is none, or an element out of place, is not valid.

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "artefacts/artefact_file.h"
-#include "artefacts/dcc.h"
+#include "artefacts/dcc_length.h"
 #include "tests/support/damage.h"
 #include "tests/support/temporary_folder.h"
 
@@ -83,8 +83,15 @@ TEST(DccMutation, EndsInACertificateOrOneLine) {
         continue;
       }
       for (const DccQuantity& quantity : certificate->quantities) {
-        EXPECT_FALSE(quantity.values.empty()) << i;
-        EXPECT_TRUE(quantity.uncertainties.empty() || quantity.uncertainties.size() == quantity.values.size()) << i;
+        EXPECT_EQ(quantity.representations.empty(), quantity.fault.has_value()) << i;
+        for (const DccNumbers& numbers : quantity.representations) {
+          EXPECT_FALSE(numbers.values.empty()) << i;
+          EXPECT_EQ(numbers.units.size(), numbers.values.size()) << i;
+          EXPECT_TRUE(numbers.uncertainties.empty() || numbers.uncertainties.size() == numbers.values.size()) << i;
+        }
+        if (const auto lengths = lengths_of(quantity); !lengths) {
+          expect_one_line(lengths.error(), i);
+        }
         EXPECT_FALSE(quantity.text().empty()) << i;
       }
     }

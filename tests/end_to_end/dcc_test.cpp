@@ -96,12 +96,12 @@ TEST_F(Certificates, AnIdentifiedArmBecomesOneThatIsValidAndSaysTheSame) {
   for (const Json& parameter : result["parameters"]) {
     const auto quantity = find_quantity(*certificate, parameter["name"].get<std::string>());
     ASSERT_TRUE(quantity) << quantity.error().text();
-    EXPECT_EQ(quantity->values.at(0), parameter["identified"].get<double>());
-    EXPECT_EQ(quantity->unit, parameter["unit"] == "mm" ? "\\milli\\metre" : "\\radian");
-    EXPECT_EQ(quantity->uncertainties.empty(), parameter["state"] != "identified");
+    EXPECT_EQ(quantity->numbers().values.at(0), parameter["identified"].get<double>());
+    EXPECT_EQ(quantity->numbers().units.at(0), parameter["unit"] == "mm" ? "\\milli\\metre" : "\\radian");
+    EXPECT_EQ(quantity->numbers().uncertainties.empty(), parameter["state"] != "identified");
     if (parameter["state"] == "identified") {
-      EXPECT_EQ(quantity->uncertainties.at(0).U, 2.0 * parameter["standard_uncertainty"].get<double>());
-      EXPECT_EQ(quantity->uncertainties.at(0).k, 2.0);
+      EXPECT_EQ(quantity->numbers().uncertainties.at(0).U, 2.0 * parameter["standard_uncertainty"].get<double>());
+      EXPECT_EQ(quantity->numbers().uncertainties.at(0).k, 2.0);
       ++identified;
     }
   }
@@ -123,9 +123,9 @@ TEST_F(Certificates, AVerificationBecomesOneThatIsValidAndSaysTheSame) {
         find_quantity(*certificate, value["quantity"].get<std::string>() + " " + value["first"].get<std::string>() +
                                         second + ", placement " + value["placement"].get<std::string>() + repeat);
     ASSERT_TRUE(quantity) << quantity.error().text();
-    EXPECT_EQ(quantity->values.at(0), value["value_mm"].get<double>());
-    EXPECT_EQ(quantity->uncertainties.at(0).U, 2.0 * value["u_mm"].get<double>());
-    EXPECT_EQ(quantity->uncertainties.at(0).k, 2.0);
+    EXPECT_EQ(quantity->numbers().values.at(0), value["value_mm"].get<double>());
+    EXPECT_EQ(quantity->numbers().uncertainties.at(0).U, 2.0 * value["u_mm"].get<double>());
+    EXPECT_EQ(quantity->numbers().uncertainties.at(0).k, 2.0);
   }
   const std::string text = text_of("v.xml");
   const auto count = [&](const std::string& what) {
