@@ -124,6 +124,7 @@ Json interim_json(const InterimCheck& check) {
                       {"u_mm", drift.u},
                       {"repeatability_mm", drift.repeatability},
                       {"degrees_of_freedom", drift.degrees_of_freedom},
+                      {"effective_degrees_of_freedom", number_or_null(drift.effective_degrees_of_freedom)},
                       {"coverage", drift.coverage},
                       {"significant", drift.significant}});
   }

@@ -7,6 +7,8 @@
 
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 
 namespace artcal {
 
@@ -48,6 +50,45 @@ double chi_squared_probability(double value, double degrees_of_freedom) {
 double f_probability_above(double value, double numerator_freedom, double denominator_freedom) {
   const boost::math::fisher_f distribution(numerator_freedom, denominator_freedom);
   return boost::math::cdf(boost::math::complement(distribution, value));
+}
+
+double f_quantile_above(double probability, double numerator_freedom, double denominator_freedom) {
+  const boost::math::fisher_f distribution(numerator_freedom, denominator_freedom);
+  return boost::math::quantile(boost::math::complement(distribution, probability));
+}
+
+double normal_quantile(double probability) { return boost::math::quantile(boost::math::normal(), probability); }
+
+double student_coverage_factor(double probability, double degrees_of_freedom) {
+  const double tail = 0.5 * (1.0 - probability);
+  if (std::isinf(degrees_of_freedom)) {
+    return boost::math::quantile(boost::math::complement(boost::math::normal(), tail));
+  }
+  return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees_of_freedom), tail));
+}
+
+double student_limit_as_rare_as(double normal_limit, double degrees_of_freedom) {
+  if (std::isinf(degrees_of_freedom)) {
+    return normal_limit;
+  }
+  const double chance = boost::math::cdf(boost::math::complement(boost::math::normal(), normal_limit));
+  return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees_of_freedom), chance));
+}
+
+double sigma_per_median() { return 1.0 / normal_quantile(0.75); }
+
+double effective_degrees_of_freedom(std::span<const UncertaintyComponent> components) {
+  double total = 0.0;
+  for (const UncertaintyComponent& component : components) {
+    total += component.u * component.u;
+  }
+  // Shares of the variance: fourth powers of micrometres in mm would be lost to rounding beside nothing.
+  double inverse = 0.0;
+  for (const UncertaintyComponent& component : components) {
+    const double share = total > 0.0 ? component.u * component.u / total : 0.0;
+    inverse += share * share / component.degrees_of_freedom;
+  }
+  return inverse > 0.0 ? 1.0 / inverse : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace artcal

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/random.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
@@ -24,10 +25,10 @@ constexpr int trials = std::is_same_v<F, Cylinder> || std::is_same_v<F, Cone> ? 
 
 constexpr Eigen::Index judged_points = 2000;  // a median over that many is as good as one over all
 
-// A normal deviate's median distance from zero is 0.6745 standard deviations; the factor for few points is
-// Rousseeuw and Leroy's.
+// The factor for few points is Rousseeuw and Leroy's.
 double scale_of(double median_distance, Eigen::Index points, int parameters) {
-  return 1.4826 * (1.0 + 5.0 / std::max<double>(1.0, static_cast<double>(points - parameters))) * median_distance;
+  return sigma_per_median() * (1.0 + 5.0 / std::max<double>(1.0, static_cast<double>(points - parameters))) *
+         median_distance;
 }
 
 // Different columns, drawn without replacement (Floyd).
@@ -101,14 +102,14 @@ std::optional<Candidate<F>> best_subset(const Points& points, const FitOptions& 
 }
 
 // The limit in standard deviations of a noise that the points themselves told: Student's quantile in place of
-// the normal one (Cornish-Fisher, first term), and for a point that is left out the doubt of the feature.
+// the normal one, and for a point that is left out the doubt of the feature.
 // Without it a few points lost by bad luck make the noise smaller and never come back.
 double fair_limit(double limit, const FitOptions& options, int degrees_of_freedom, int parameters) {
   if (options.noise) {
     return limit;
   }
   const double freedom = std::max(1, degrees_of_freedom);
-  return limit * (1.0 + (limit * limit + 1.0) / (4.0 * freedom)) * std::sqrt(1.0 + parameters / freedom);
+  return student_limit_as_rare_as(limit, freedom) * std::sqrt(1.0 + parameters / freedom);
 }
 
 template <typename F>

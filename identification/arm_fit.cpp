@@ -26,7 +26,7 @@ double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, 
       std::transform(feature.begin(), feature.end(), std::back_inserter(sizes), [](double r) { return std::abs(r); });
     }
     const double unbias = std::sqrt(static_cast<double>(sizes.size()) / degrees_of_freedom);
-    return 1.4826 * median(sizes) * unbias;
+    return sigma_per_median() * median(sizes) * unbias;
   }
   const double left = std::max(0.5 * degrees_of_freedom, degrees_of_freedom - residuals.certificates_squared());
   return std::sqrt(residuals.readings_squared() / left);

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
-#include <boost/math/distributions/normal.hpp>
 
 #include "app/phrases.h"
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"
+#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -95,8 +95,7 @@ std::vector<Track> tracks_of(const Results& results) {
 
 // Beyond this many u one of so many sound changes lies once in twenty comparisons.
 double coverage_of(std::size_t count) {
-  return boost::math::quantile(boost::math::normal(),
-                               1.0 - 0.025 / static_cast<double>(std::max<std::size_t>(count, 1)));
+  return normal_quantile(1.0 - 0.025 / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
 // About how far the tip moves by one unit of a parameter, mm: by a compliance at 1 N·m, by an expansion at 10 K.

@@ -5,13 +5,16 @@
 #include <map>
 #include <tuple>
 
+#include "core/statistics.h"
+
 namespace artcal {
 namespace {
 
 using Key = std::tuple<Quantity, std::string, std::string, std::string, std::string>;
 using Groups = std::map<Key, std::vector<const TestValue*>>;
 
-constexpr double normal_95 = 1.96;
+constexpr double probability = 0.95;
+constexpr double chance_of_unequal = 0.05;  // of calling equal scatters different
 
 Groups grouped(const std::vector<TestValue>& values) {
   Groups groups;
@@ -43,10 +46,38 @@ struct Scatter {
     }
     freedom += static_cast<int>(values.size()) - 1;
   }
-  [[nodiscard]] double deviation() const { return freedom > 0 ? std::sqrt(squares / freedom) : 0.0; }
-  // Student's factor to its first term (Cornish-Fisher).
-  [[nodiscard]] double coverage() const {
-    return freedom > 0 ? normal_95 * (1.0 + (normal_95 * normal_95 + 1.0) / (4.0 * freedom)) : 0.0;
+  [[nodiscard]] double variance() const { return freedom > 0 ? squares / freedom : 0.0; }
+};
+
+/// The scatter of one quantity in both sessions.
+struct ScatterOfBoth {
+  Scatter then, now;
+
+  [[nodiscard]] Scatter pooled() const { return {then.squares + now.squares, then.freedom + now.freedom}; }
+
+  // Pooling two variances that differ accuses an arm that has not moved: F says whether they do.
+  [[nodiscard]] bool differ() const {
+    if (then.freedom == 0 || now.freedom == 0 || then.variance() == now.variance()) {
+      return false;
+    }
+    const bool now_is_larger = now.variance() > then.variance();
+    const Scatter& larger = now_is_larger ? now : then;
+    const Scatter& smaller = now_is_larger ? then : now;
+    const double limit = f_quantile_above(0.5 * chance_of_unequal, larger.freedom, smaller.freedom);
+    return larger.variance() > limit * smaller.variance();
+  }
+
+  // Of the difference of two means.
+  [[nodiscard]] std::vector<UncertaintyComponent> components(int repeats_then, int repeats_now) const {
+    if (differ()) {
+      return {{std::sqrt(then.variance() / repeats_then), static_cast<double>(then.freedom)},
+              {std::sqrt(now.variance() / repeats_now), static_cast<double>(now.freedom)}};
+    }
+    const Scatter both = pooled();
+    if (both.freedom == 0) {
+      return {};
+    }
+    return {{std::sqrt(both.variance() * (1.0 / repeats_then + 1.0 / repeats_now)), static_cast<double>(both.freedom)}};
   }
 };
 
@@ -54,6 +85,14 @@ double u_without_shared(const TestValue& value, bool same_certificate) {
   Budget budget = value.budget;
   budget.calibration = same_certificate ? 0.0 : budget.calibration;
   return budget.total();
+}
+
+double combined(const std::vector<UncertaintyComponent>& components) {
+  double variance = 0.0;
+  for (const UncertaintyComponent& component : components) {
+    variance += component.u * component.u;
+  }
+  return std::sqrt(variance);
 }
 
 }  // namespace
@@ -70,11 +109,12 @@ InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestVa
   InterimCheck check;
   const Groups before = grouped(then);
   const Groups after = grouped(now);
-  std::map<Quantity, Scatter> scatter;
-  for (const Groups* groups : {&before, &after}) {
-    for (const auto& [key, values] : *groups) {
-      scatter[std::get<0>(key)].add(values);
-    }
+  std::map<Quantity, ScatterOfBoth> scatter;
+  for (const auto& [key, values] : before) {
+    scatter[std::get<0>(key)].then.add(values);
+  }
+  for (const auto& [key, values] : after) {
+    scatter[std::get<0>(key)].now.add(values);
   }
   for (const auto& [key, values] : after) {
     const auto earlier = before.find(key);
@@ -96,13 +136,18 @@ InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestVa
     drift.then = mean_of(earlier->second);
     drift.now = mean_of(values);
     drift.drift = drift.now - drift.then;
-    const Scatter& of_quantity = scatter[b.quantity];
-    drift.degrees_of_freedom = of_quantity.freedom;
-    drift.repeatability = of_quantity.deviation();
-    drift.coverage = of_quantity.coverage();
-    const double of_means = drift.repeatability * std::sqrt(1.0 / drift.repeats_then + 1.0 / drift.repeats_now);
-    drift.u = std::hypot(of_means, u_without_shared(a, same_certificate), u_without_shared(b, same_certificate));
-    drift.significant = drift.degrees_of_freedom > 0 && std::abs(drift.drift) > drift.coverage * drift.u;
+    const ScatterOfBoth& of_quantity = scatter[b.quantity];
+    drift.degrees_of_freedom = of_quantity.pooled().freedom;
+    drift.repeatability = std::sqrt(of_quantity.pooled().variance());
+    auto components = of_quantity.components(drift.repeats_then, drift.repeats_now);
+    components.push_back({u_without_shared(a, same_certificate)});
+    components.push_back({u_without_shared(b, same_certificate)});
+    drift.u = combined(components);
+    if (drift.degrees_of_freedom > 0) {
+      drift.effective_degrees_of_freedom = effective_degrees_of_freedom(components);
+      drift.coverage = student_coverage_factor(probability, drift.effective_degrees_of_freedom);
+      drift.significant = std::abs(drift.drift) > drift.coverage * drift.u;
+    }
     check.drifts.push_back(drift);
   }
   return check;

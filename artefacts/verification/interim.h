@@ -17,8 +17,10 @@ struct Drift {
   double u = 0.0;                ///< standard uncertainty of the drift, mm
   double repeatability = 0.0;    ///< s: of one value of this quantity, pooled over all repeats of both; mm
   int degrees_of_freedom = 0;    ///< of it; 0: there were no repeats, and nothing can be called significant
-  double coverage = 0.0;         ///< factor for 95 % with these degrees of freedom
-  bool significant = false;      ///< beyond `coverage` times u
+  /// Of u, which also holds what both budgets state (Welch, Satterthwaite); infinite where repeats add nothing to it.
+  double effective_degrees_of_freedom = 0.0;
+  double coverage = 0.0;     ///< factor for 95 % with these degrees of freedom (Student)
+  bool significant = false;  ///< beyond `coverage` times u
 };
 
 /// A few values held against an earlier verification of the same arm.
@@ -32,6 +34,7 @@ struct InterimCheck {
 
 /// Compares values of the same quantity, artefact, placement and features:
 ///     u² = u²(then) + u²(now) + s²·(1/n_then + 1/n_now).
+/// s is pooled over both, unless an F test says that they scatter differently: then each has its own.
 /// Where both rest on the same certified value, its u(cal) is in both alike and cancels.
 InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestValue>& then);
 

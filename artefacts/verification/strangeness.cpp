@@ -34,36 +34,22 @@ Eigen::Matrix3d certainty_of(const Eigen::Matrix3Xd& arms, Eigen::Index i) {
 
 }  // namespace
 
-double f3_limit(double chance, double m) {
-  const double z = std::sqrt(chi_squared_quantile(1.0 - 2.0 * chance, 1.0));
-  const double c = 2.0 / (9.0 * m);
-  const double d = 2.0 / 27.0;
-  // (a·x − b)² = z²·(c·x² + d), x the cube root of F.
-  const double a = 1.0 - c;
-  const double b = 1.0 - d;
-  const double square = a * a - z * z * c;
-  if (!(square > 0.0)) {
-    return INFINITY;
-  }
-  const double x = (a * b + std::sqrt(a * a * b * b - square * (b * b - z * z * d))) / square;
-  return x * x * x;
-}
-
 Strangeness strangeness_of(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified) {
   const Eigen::Index n = measured.cols();
   Strangeness result{Eigen::VectorXd::Zero(n), 0.0};
   const auto freedom = static_cast<double>(3 * (n - 1) - 6);
   const auto whole = fit_rigid(measured, certified);
-  if (!whole || freedom < 4.0) {
+  if (!whole || freedom < 1.0) {
     return result;
   }
   const bool by_direction = n >= enough_for_directions;
   const double axis_freedom = freedom / 3.0;
   const double chance = chance_of_one_set / static_cast<double>(n);
   // Hotelling: T²·(ν − 2)/(3ν) is F with (3, ν − 2); one scatter for all: T²/3 is F with (3, freedom).
-  result.limit = by_direction
-                     ? std::sqrt(3.0 * axis_freedom / (axis_freedom - 2.0) * f3_limit(chance, axis_freedom - 2.0))
-                     : std::sqrt(3.0 * f3_limit(chance, freedom));
+  result.limit =
+      by_direction
+          ? std::sqrt(3.0 * axis_freedom / (axis_freedom - 2.0) * f_quantile_above(chance, 3.0, axis_freedom - 2.0))
+          : std::sqrt(3.0 * f_quantile_above(chance, 3.0, freedom));
   const Eigen::Matrix3Xd arms = whole->to_from.rotation * (certified.colwise() - certified.rowwise().mean());
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto rest = fit_rigid(without(measured, i), without(certified, i));

@@ -16,8 +16,4 @@ struct Strangeness {
 /// REQUIRES: as many columns in both.
 Strangeness strangeness_of(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified);
 
-/// The value that an F variable with (3, m) degrees of freedom exceeds with probability `chance` (Wilson and
-/// Hilferty's normal approximation). REQUIRES: m ≥ 4.
-double f3_limit(double chance, double m);
-
 }  // namespace artcal

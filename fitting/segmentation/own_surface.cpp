@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/statistics.h"
 #include "fitting/segmentation/direction_cells.h"
 #include "fitting/segmentation/surface_points.h"
 
@@ -177,7 +178,7 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
         own_distances[k++] = std::abs(distances(static_cast<Eigen::Index>(i)));
       }
     }
-    surface.settled.noise = std::max(1e-12 * radius, 1.4826 * median_or(own_distances, noise));
+    surface.settled.noise = std::max(1e-12 * radius, sigma_per_median() * median_or(own_distances, noise));
   }
   surface.coverage = coverage_of(points, surface);
   return surface;

@@ -4,12 +4,11 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/statistics.h"
 #include "fitting/segmentation/surface_points.h"
 
 namespace artcal::segmentation {
 namespace {
-
-constexpr double noise_of_median = 1.4826;  // a normal deviate's median distance from zero is 0.6745
 
 struct Shell {
   Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
@@ -63,7 +62,7 @@ std::optional<Settled> settle(const Eigen::Matrix3Xd& points, const Eigen::Vecto
       return std::nullopt;
     }
     settled.centre += move;
-    settled.noise = std::max(rounding, noise_of_median * median_of(shell.distances));
+    settled.noise = std::max(rounding, sigma_per_median() * median_of(shell.distances));
     // Not at once: in a wide shell the median still holds what the centre's own error makes of distances.
     const double next = std::max(4.0 * settled.noise, 0.5 * width);
     const bool stands = move.norm() < 1e-3 * settled.noise && std::abs(next - width) < 1e-3 * width;

@@ -1,6 +1,7 @@
 #include "core/statistics.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -52,6 +53,59 @@ TEST(Statistics, ChiSquaredProbabilityIsTheInverse) {
   EXPECT_EQ(chi_squared_probability(0.0, 5.0), 0.0);
   // Two degrees of freedom have a closed form: 1 - exp(-x/2).
   EXPECT_NEAR(chi_squared_probability(2.0, 2.0), 0.63212055882855768, 1e-15);
+}
+
+// Two-sided 95 % and 99 % points of Student's distribution: scipy 1.10 stats.t.ppf (to 1e-8); JCGM 100,
+// table G.2 has two decimals. Two degrees of freedom have a closed form.
+TEST(Statistics, StudentFactorsAtSmallDegreesOfFreedom) {
+  EXPECT_NEAR(student_coverage_factor(0.95, 1), 12.706204736174704, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, 2), 4.302652729911275, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, 2.5), 3.5746548420118773, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, 3), 3.182446305284263, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, 5), 2.5705818366147395, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, 100), 1.9839715184496334, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.99, 1), 63.65674116287399, 1e-6);
+  EXPECT_NEAR(student_coverage_factor(0.99, 3), 5.84090929975643, 1e-7);
+  EXPECT_NEAR(student_coverage_factor(0.95, INFINITY), 1.959963984540054, 1e-12);
+}
+
+// A normal variable exceeds 4 once in 31,574: scipy 1.10 stats.t.isf(stats.norm.sf(4), ...).
+TEST(Statistics, StudentLimitsAsRareAsFourSigma) {
+  EXPECT_NEAR(student_limit_as_rare_as(4.0, 1) / 10050.439032475448, 1.0, 1e-7);
+  EXPECT_NEAR(student_limit_as_rare_as(4.0, 2) / 125.64112687430162, 1.0, 1e-7);
+  EXPECT_NEAR(student_limit_as_rare_as(4.0, 5) / 12.281424348286638, 1.0, 1e-7);
+  EXPECT_EQ(student_limit_as_rare_as(4.0, INFINITY), 4.0);
+}
+
+// scipy 1.10 stats.f.isf; NIST/SEMATECH e-Handbook 1.3.6.7.3 has 9.277 for 5 % with (3, 3) and 5.409 with (3, 5).
+TEST(Statistics, FisherLimitsAtSmallDegreesOfFreedom) {
+  EXPECT_NEAR(f_quantile_above(0.05, 1, 1), 161.44763879758827, 1e-8);
+  EXPECT_NEAR(f_quantile_above(0.05, 3, 1), 215.70734536960882, 1e-8);
+  EXPECT_NEAR(f_quantile_above(0.05, 3, 2), 19.164292127511278, 1e-9);
+  EXPECT_NEAR(f_quantile_above(0.05, 3, 3), 9.276628153144804, 1e-9);
+  EXPECT_NEAR(f_quantile_above(0.05, 3, 5), 5.40945131805649, 1e-9);
+  EXPECT_NEAR(f_quantile_above(0.01, 3, 2), 99.16620137447148, 1e-8);
+  EXPECT_NEAR(f_quantile_above(0.01, 3, 60), 4.125891930795666, 1e-9);
+  EXPECT_NEAR(f_quantile_above(0.01 / 9.0, 3, 4), 53.21429164315051, 1e-8);
+  EXPECT_NEAR(f_probability_above(f_quantile_above(0.01, 3, 2), 3, 2), 0.01, 1e-12);
+}
+
+TEST(Statistics, NormalQuantiles) {
+  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-12);
+  EXPECT_NEAR(normal_quantile(0.5), 0.0, 1e-15);
+  EXPECT_NEAR(sigma_per_median(), 1.482602218505602, 1e-12);
+}
+
+// JCGM 100, H.1.6: the end gauge's components of 25 (18), 9.7 (25.6), 2.9 (50) and 16.6 nm (2) have 16.7 together.
+TEST(Statistics, EffectiveDegreesOfFreedomOfTheGuide) {
+  const std::array<UncertaintyComponent, 4> components{{{25.0, 18}, {9.7, 25.6}, {2.9, 50}, {16.6, 2}}};
+  EXPECT_NEAR(effective_degrees_of_freedom(components), 16.7, 0.1);
+}
+
+TEST(Statistics, EffectiveDegreesOfFreedomOfOneComponentAreItsOwn) {
+  EXPECT_NEAR(effective_degrees_of_freedom(std::array<UncertaintyComponent, 2>{{{1e-9, 3}, {0.0, 1}}}), 3.0, 1e-12);
+  EXPECT_TRUE(std::isinf(effective_degrees_of_freedom(std::array<UncertaintyComponent, 2>{{{0.0, 3}, {1.0}}})));
+  EXPECT_TRUE(std::isinf(effective_degrees_of_freedom({})));
 }
 
 }  // namespace

@@ -76,23 +76,58 @@ TEST(Interim, OnlyTheSamePlacementIsCompared) {
   EXPECT_THAT(check.not_compared, ElementsAre(HasSubstr("placement 2")));
 }
 
-// An arm that did not change is accused in about one check of twenty.
-TEST(Interim, FalseAlarmsAreAsRareAsPromised) {
+// An arm that did not change is accused in one check of twenty, however few the repeats. The deviation of `now` may
+// differ.
+double share_of_false_alarms(int repeats_then, int repeats_now, double worse_now = 1.0) {
   RandomStream random(3, "interim");
   int alarms = 0;
   constexpr int count = 20000;
-  const auto draw = [&](int n) {
+  const auto draw = [&](int n, double deviation) {
     std::vector<double> errors;
-    for (int i = 0; i < n; ++i) errors.push_back(10.0 + 4.0 * random.normal());
+    for (int i = 0; i < n; ++i) errors.push_back(10.0 + deviation * random.normal());
     auto all = values("1", errors);
     for (TestValue& value : all) value.budget = {};
     return all;
   };
   for (int i = 0; i < count; ++i) {
-    alarms += compare(draw(5), draw(5)).any_significant() ? 1 : 0;
+    const auto then = draw(repeats_then, 4.0);
+    alarms += compare(draw(repeats_now, 4.0 * worse_now), then).any_significant() ? 1 : 0;
   }
-  // Student's factor to its first term only: with 8 degrees of freedom 2.26 for 2.31.
-  EXPECT_NEAR(static_cast<double>(alarms) / count, 0.05, 0.01);
+  return static_cast<double>(alarms) / count;
+}
+
+// Standard deviation of a share of 5 % among 20,000: 0.15 %.
+TEST(Interim, FalseAlarmsAreAsRareAsPromised) {
+  EXPECT_NEAR(share_of_false_alarms(5, 5), 0.05, 0.005);
+  EXPECT_NEAR(share_of_false_alarms(2, 2), 0.05, 0.005);
+  EXPECT_NEAR(share_of_false_alarms(2, 1), 0.05, 0.005);
+  EXPECT_NEAR(share_of_false_alarms(1, 3), 0.05, 0.005);
+  EXPECT_NEAR(share_of_false_alarms(10, 3), 0.05, 0.005);
+}
+
+// Pooled, ten good repeats then and three ten times as bad now would accuse the arm in 44 of 100 checks.
+TEST(Interim, AnArmThatScattersMoreIsNotAccusedOfDrift) {
+  EXPECT_LT(share_of_false_alarms(10, 3, 10.0), 0.07);
+  EXPECT_GT(share_of_false_alarms(10, 3, 10.0), 0.03);
+}
+
+// One degree of freedom: 12.71. Of u, half of whose variance is the budgets', 2² / 1 = 4: 2.776 (JCGM 100, table G.2).
+TEST(Interim, CoverageIsStudentsAndTheBudgetsCount) {
+  auto before = values("1", {9, 11});  // s² = 2, of the drift 2·(1/2 + 1) = 3
+  auto after = values("1", {50});
+  for (auto* all : {&before, &after}) {
+    for (TestValue& value : *all) value.budget = {};
+  }
+  const Drift alone = compare(after, before).drifts.at(0);
+  EXPECT_EQ(alone.degrees_of_freedom, 1);
+  EXPECT_NEAR(alone.coverage, 12.706, 1e-3);
+  for (auto* all : {&before, &after}) {
+    for (TestValue& value : *all) value.budget = {0.0, 0.0, 1e-3 * std::sqrt(1.5), 0.0, 0.0, 0.0};
+  }
+  const Drift both = compare(after, before).drifts.at(0);
+  EXPECT_NEAR(both.u, 1e-3 * std::sqrt(6.0), 1e-12);
+  EXPECT_NEAR(both.effective_degrees_of_freedom, 4.0, 1e-9);
+  EXPECT_NEAR(both.coverage, 2.776, 1e-3);
 }
 
 }  // namespace
