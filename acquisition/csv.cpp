@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -46,12 +47,12 @@ Expected<void> CsvReader::check_header() {
     return bad_input("the columns are separated by semicolons or tabs, expected commas (and a point in numbers)",
                      where(0));
   }
+  std::unordered_set<std::string_view> known;
   for (std::size_t i = 0; i < header_.size(); ++i) {
     if (header_[i].empty()) {
       return bad_input("a column has no name", where(i));
     }
-    if (std::find(header_.begin(), header_.begin() + static_cast<std::ptrdiff_t>(i), header_[i]) !=
-        header_.begin() + static_cast<std::ptrdiff_t>(i)) {
+    if (!known.insert(header_[i]).second) {
       return bad_input(fmt::format("the column {} is there twice", in_quotes(header_[i])), where(i));
     }
   }

@@ -31,6 +31,20 @@ std::string position(const std::string& path, const toml::source_region& source)
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
 
+// Every text that is parsed here passes this first: toml++ takes deep tables apart by recursion.
+Expected<toml::table> guarded_parse(const TextFile& file) {
+  const std::string path = file.path.string();
+  if (const int line = line_of_endless_key(file.text); line > 0) {
+    return bad_input("a key has more parts than any that is known here", fmt::format("{}:{}", path, line));
+  }
+  try {
+    return toml::parse(file.text, path);
+  } catch (const toml::parse_error& error) {
+    return bad_input(fmt::format("this is not valid TOML: {}", at_most(200, error.description())),
+                     position(path, error.source()));
+  }
+}
+
 std::string_view kind_of(const toml::node& node) {
   switch (node.type()) {
     case toml::node_type::table: return "a table";
@@ -291,15 +305,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_view schema) {
   auto shared = std::make_shared<TomlTable::Shared>();
   shared->path = file.path.string();
-  if (const int line = line_of_endless_key(file.text); line > 0) {
-    return bad_input("a key has more parts than any that is known here", fmt::format("{}:{}", shared->path, line));
+  auto parsed = guarded_parse(file);
+  if (!parsed) {
+    return tl::unexpected(parsed.error());
   }
-  try {
-    shared->document = toml::parse(file.text, shared->path);
-  } catch (const toml::parse_error& error) {
-    return bad_input(fmt::format("this is not valid TOML: {}", at_most(200, error.description())),
-                     position(shared->path, error.source()));
-  }
+  shared->document = std::move(*parsed);
   const void* table = &shared->document;
   TomlDocument document{TomlTable{std::move(shared), table, ""}, file.sha256};
   TomlTable& root = document.root();
@@ -337,11 +347,8 @@ Expected<void> TomlDocument::finish() {
 }
 
 std::string schema_of(const TextFile& file) {
-  try {
-    return toml::parse(file.text)["schema"].value_or(std::string{});
-  } catch (const toml::parse_error&) {
-    return {};
-  }
+  const auto parsed = guarded_parse(file);
+  return parsed ? (*parsed)["schema"].value_or(std::string{}) : std::string{};
 }
 
 }  // namespace artcal

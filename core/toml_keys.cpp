@@ -17,8 +17,12 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
     if (quote == '"' && text[i] == '\\') {
       ++i;
     } else if (is_long && text.substr(i, 3) == three) {
-      const std::size_t after = text.find_first_not_of(quote, i);
-      return std::min({after, text.size(), i + 5}) - 1;  // its last two characters may be quotes as well
+      // Its last two characters may be quotes as well; a longer run is the next string's.
+      std::size_t last = i + 2;
+      while (last < i + 4 && last + 1 < text.size() && text[last + 1] == quote) {
+        ++last;
+      }
+      return last;
     } else if (!is_long && (text[i] == quote || text[i] == '\n')) {
       return i;
     }

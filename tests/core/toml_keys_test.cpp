@@ -36,6 +36,13 @@ TEST(TomlKeys, QuotedPartsCountOnceWhateverTheyHold) {
   EXPECT_EQ(line_of_endless_key(quoted + " = 1"), 1);
 }
 
+TEST(TomlKeys, RunsOfQuotesAreStringsOneAfterTheOther) {
+  // Three quotes open, three close, and two more may belong to the string (TOML 1.0, "String").
+  for (const char* string : {"\"\"\"a\"\"\"", "\"\"\"a\"\"\"\"", "\"\"\"a\"\"\"\"\"", "'''a'''", "'''a'''''"}) {
+    EXPECT_EQ(line_of_endless_key(std::string("x = ") + string + "\n" + key(33) + " = 1"), 2) << string;
+  }
+}
+
 TEST(TomlKeys, OpenStringsEndTheText) {
   for (const char* open : {"\"", "'", "\"\"\"", "'''", "\"\\", "\"\"\"x\"\""}) {
     EXPECT_EQ(line_of_endless_key(open), 0);
