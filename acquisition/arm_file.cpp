@@ -97,6 +97,9 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
   known.program = table.name("program");
   known.recording = table.name("recording");
   known.parameters = table.texts("parameters");
+  if (table.has("misfits")) {
+    known.misfits = table.texts("misfits");
+  }
   const auto rows = table.rows("covariance");
   if (table.has("noise")) {
     known.noise = table.number("noise");
@@ -168,6 +171,14 @@ std::string identification_text(const ArmIdentification& known) {
   text += "]\n";
   if (known.noise) {
     text += fmt::format("noise = {}  # mm, of a reading's coordinate\n", toml_number(*known.noise));
+  }
+  if (!known.misfits.empty()) {
+    text +=
+        "# This arm does not fit its readings; it was written all the same, as asked (--accept-misfit).\nmisfits = [";
+    for (const auto& reason : known.misfits) {
+      text += toml_text(reason) + ", ";
+    }
+    text += "]\n";
   }
   text += "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {

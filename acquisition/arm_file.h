@@ -20,6 +20,7 @@ struct ArmIdentification {
   std::vector<std::string> parameters;  ///< names of the identified ones
   Eigen::MatrixXd covariance;           ///< of these, in their units
   std::optional<double> noise;          ///< standard deviation of a reading's coordinate, mm
+  std::vector<std::string> misfits;     ///< why the arm is no solution of its readings; empty: it is one
 };
 
 /// An arm with what is known of it. Format: docs/files.md, "arm.toml".

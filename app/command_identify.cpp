@@ -54,6 +54,7 @@ std::string identified_arm_text(const Recording& recording, const Identification
   }
   known.covariance = result.covariance;
   known.noise = result.noise * result.enlargement;
+  known.misfits = result.misfits;
   return arm_file_text(result.arm, known);
 }
 

@@ -23,6 +23,9 @@ Expected<Identification> run_identification(const Recording& recording, const Co
                                   : identify(recording, constraints, options);
   if (result) {
     auto& warnings = result->warnings;
+    for (const std::string& reason : result->misfits) {
+      warnings.insert(warnings.begin(), "this arm is no solution of its readings (--accept-misfit): " + reason);
+    }
     warnings.insert(warnings.begin(), constraints.warnings.begin(), constraints.warnings.end());
     warnings.insert(warnings.begin(), recording.warnings.begin(), recording.warnings.end());
   }

@@ -53,6 +53,10 @@ void IdentifyChoices::add_to(CLI::App& parser, const std::string& group) {
   parser.add_option("--loss", loss, "how readings far off count")
       ->check(CLI::IsMember({"none", "huber", "cauchy"}))
       ->group(group);
+  parser
+      .add_flag("--accept-misfit", accept_misfit,
+                "write an arm that does not fit its readings all the same, marked as such; by default exit code 4")
+      ->group(group);
   parser.add_option("--noise", noise, "noise of a reading's coordinate, such as \"15 um\"; else estimated")
       ->group(group);
 }
@@ -72,6 +76,7 @@ Expected<IdentifyOptions> IdentifyChoices::options(const Recording& recording) c
   }
   options.model = asked->groups;
   options.automatic = asked->automatic;
+  options.accept_misfit = accept_misfit;
   options.loss = loss.empty() ? options.loss : loss_named(loss);
   return noise_of(*this, recording).map([&](const Noise& given) {
     options.noise = given;

@@ -12,6 +12,7 @@ namespace artcal {
 /// What a command line says of an identification, beside what the recording says of its own.
 struct IdentifyChoices {
   std::vector<std::string> hold, free;
+  bool accept_misfit = false;
   std::string loss;
   std::string model;  ///< as model_request() reads it; empty: the recording's
   std::string noise, encoder_noise, probing_noise;

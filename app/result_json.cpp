@@ -121,11 +121,14 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
             {"deviation_mm", outlier.deviation}};
   });
   json["model_study"] = model_study_json(result.model_study);
-  json["termination"] = {{"status", "converged"},
+  json["termination"] = {{"status", result.misfits.empty() ? "converged" : "misfit accepted"},
                          {"message", result.termination},
                          {"iterations", result.iterations},
                          {"rounds", result.noise_rounds},
-                         {"cost", result.cost}};
+                         {"cost", result.cost},
+                         {"initial_alignment", name_of(result.alignment)},
+                         {"attempts", result.attempts},
+                         {"misfits", result.misfits}};
   json["warnings"] = result.warnings;
   json["arm_shape"] = arm_shape_json(recording, result.arm);
   json["timings_s"] = {{"reading", timings.reading}, {"identifying", timings.identifying}};

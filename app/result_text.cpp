@@ -199,6 +199,13 @@ std::string noise_text(const Identification& result) {
       result.degrees_of_freedom);
 }
 
+std::string alignment_text(const Identification& result) {
+  if (result.alignment == Alignment::None) {
+    return {};
+  }
+  return fmt::format("  initial alignment: {} (attempt {})\n\n", name_of(result.alignment), result.attempts);
+}
+
 std::string model_study_text(const ModelStudy& study) {
   if (!study.done || !study.findings.empty()) {
     return {};  // what was found is a warning
@@ -232,8 +239,8 @@ std::string to_text(const Recording& recording, const Constraints& constraints, 
   const std::string warnings = result.warnings.empty() ? "" : warning_lines(result.warnings) + "\n";
   return title_text(recording, constraints, result) + summary_text(result) + warnings + trials_text(result) +
          placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
-         noise_text(result) + model_study_text(result.model_study) + cannot_text(result.coupling) +
-         outliers_text(recording, result);
+         noise_text(result) + alignment_text(result) + model_study_text(result.model_study) +
+         cannot_text(result.coupling) + outliers_text(recording, result);
 }
 
 }  // namespace artcal

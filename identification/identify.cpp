@@ -12,6 +12,7 @@
 #include "identification/outliers.h"
 #include "identification/preparation.h"
 #include "identification/residual_search.h"
+#include "identification/solution_search.h"
 
 namespace artcal {
 
@@ -20,15 +21,15 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
   }
-  auto preparation = prepare(recording, constraints, options);
-  if (!preparation) {
-    return tl::unexpected(preparation.error());
+  auto found = search_solution(recording, constraints, options);
+  if (!found) {
+    return tl::unexpected(with_reason(found.error(), recording, constraints, recording.arm));
   }
-  const SolveOptions solve_options{options.loss, options.max_iterations};
-  const auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise, solve_options);
-  if (!fit) {
-    return tl::unexpected(with_reason(fit.error(), recording, constraints, preparation->start));
+  if (!found->misfits.empty() && !options.accept_misfit) {
+    return tl::unexpected(misfit_error(*found));
   }
+  Preparation* const preparation = &found->preparation;
+  const ArmFit* const fit = &found->fit;
   const auto covariance = arm_covariance(fit->scale, fit->linearisation);
   if (!covariance) {
     return no_solution(
@@ -41,14 +42,8 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(common.error());
   }
   const auto before = evaluate(recording, constraints, recording.arm);
-  const auto after = evaluate(recording, constraints, fit->arm);
-  for (const auto* judged : {&before, &after}) {
-    if (!*judged) {
-      return tl::unexpected(judged->error());
-    }
-  }
-  if (auto places = check_places(*after, options.loss); !places) {
-    return tl::unexpected(places.error());
+  if (!before) {
+    return tl::unexpected(before.error());
   }
   Identification result;
   result.arm = fit->arm;
@@ -59,16 +54,19 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
                       (*covariance + common->bottomRightCorner(covariance->rows(), covariance->cols()));
   result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
-    const auto found = std::find_if(result.parameters.begin(), result.parameters.end(),
+    const auto described_at = std::find_if(result.parameters.begin(), result.parameters.end(),
                                     [&](const auto& described) { return described.parameter.name == parameter.name; });
-    result.free.push_back(static_cast<int>(found - result.parameters.begin()));
+    result.free.push_back(static_cast<int>(described_at - result.parameters.begin()));
   }
   if (auto sensible = check_joint_errors(result.parameters); !sensible) {
     return tl::unexpected(sensible.error());
   }
   result.artefact_values = describe_artefacts(constraints, *fit, *common, result.enlargement);
   result.before = *before;
-  result.after = *after;
+  result.after = std::move(found->after);
+  result.alignment = found->alignment;
+  result.attempts = found->attempt;
+  result.misfits = std::move(found->misfits);
   result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);
   result.model_study = search_residuals(identified, *fit, recording);
   if (auto warning = warning_of(result.model_study); !warning.empty()) {
@@ -83,11 +81,13 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     if (!options.noise.is_given()) {
       again.noise.reading = fit->noise;
     }
+    // From the arm found: what one placement less changes is small, and the nominal arm is far.
     const auto identify_without = [&](const Constraints& rest) -> Expected<Arm> {
-      const auto prepared = prepare(recording, rest, again);
+      const auto prepared = prepare_from(fit->arm, recording, rest, again);
       if (!prepared) {
         return tl::unexpected(prepared.error());
       }
+      const SolveOptions solve_options{options.loss, options.max_iterations};
       return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options,
                      prepared->known_start())
           .map([](const ArmFit& refit) { return refit.arm; });

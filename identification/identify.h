@@ -9,6 +9,7 @@
 #include "acquisition/recording.h"
 #include "artefacts/constraint.h"
 #include "core/error.h"
+#include "identification/alignment.h"
 #include "identification/coupling.h"
 #include "identification/evaluation.h"
 #include "identification/loss.h"
@@ -23,8 +24,9 @@ struct IdentifyOptions {
   Model model;                    ///< what is identified beside the chain and the tips
   bool automatic = false;         ///< groups are to be added: what identify_automatically() is asked for
   Loss loss = Loss::None;
-  Noise noise;            ///< given, or else estimated from the residuals
-  bool leave_out = true;  ///< identify once more without each placement
+  Noise noise;                 ///< given, or else estimated from the residuals
+  bool accept_misfit = false;  ///< return a fit that is no solution too, with its misfits
+  bool leave_out = true;       ///< identify once more without each placement
   int max_iterations = 100;
   int threads = 0;  ///< for leaving out; 0 takes all. The result does not depend on it
 };
@@ -92,6 +94,9 @@ struct ModelTrial {
 
 struct Identification {
   Arm arm;
+  Alignment alignment = Alignment::None;  ///< the initial alignment that led to it
+  int attempts = 1;                       ///< initial alignments tried until then
+  std::vector<std::string> misfits;       ///< why it is no solution (accept_misfit only), see identification/misfit.h
   Model model;
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made
   std::vector<IdentifiedParameter> parameters;

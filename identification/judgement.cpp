@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "acquisition/joint_error_keys.h"
 #include "core/statistics.h"
@@ -101,14 +102,16 @@ std::vector<std::string> suspicions(const Identification& result, double length)
   return warnings;
 }
 
-Expected<void> check_places(const Evaluation& after, Loss loss) {
-  const auto strange = loss == Loss::None ? what_stands_out(after, another_place) : std::nullopt;
-  if (!strange) {
-    return {};
-  }
-  return no_solution(*strange +
-                     " No arm fits all of them. Correct or take out what is wrong; --loss cauchy lets go of single "
-                     "readings and lists them");
+Error misfit_error(const Candidate& candidate) {
+  return {
+      ErrorCode::NoSolution,
+      fmt::format("no arm was found that fits these readings: {}. {} initial alignment{} {} tried. Look for readings "
+                  "under another feature's name, a wrong certified value, a wrong radius of the tip, and joint order, "
+                  "signs and units of the arm's file; --loss cauchy lists single readings that do not fit, and "
+                  "--accept-misfit writes the arm all the same",
+                  fmt::join(candidate.misfits, "; "), candidate.attempt, candidate.attempt == 1 ? "" : "s",
+                  candidate.attempt == 1 ? "was" : "were"),
+      {}};
 }
 
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {

@@ -5,6 +5,7 @@
 
 #include "identification/arm_fit.h"
 #include "identification/identify.h"
+#include "identification/solution_search.h"
 
 namespace artcal {
 
@@ -18,8 +19,8 @@ Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parame
 /// Things that are no error but that a careful person would want to know; `length` is the arm's reach, mm.
 std::vector<std::string> suspicions(const Identification& result, double length);
 
-/// One feature in another's place spoils the arm, unless a loss let go of it: no solution, with its name.
-Expected<void> check_places(const Evaluation& after, Loss loss);
+/// Why a fit with misfits is refused: what they are, the feature or distance that stands out, what to do.
+Error misfit_error(const Candidate& candidate);
 
 /// What was wrong with a fit that failed, where the arm that it began with shows it.
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start);

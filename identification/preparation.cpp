@@ -6,7 +6,6 @@
 
 #include "acquisition/tip_centres.h"
 #include "identification/coupling_analysis.h"
-#include "identification/near_the_balls.h"
 #include "identification/selection.h"
 #include "identification/start.h"
 
@@ -38,34 +37,19 @@ Expected<void> check_model(const Recording& recording, const IdentifyOptions& op
   return expands(recording.arm) || frees_expansion ? require_arm_temperatures(recording) : Expected<void>{};
 }
 
-}  // namespace
-
-Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
-                              const IdentifyOptions& options) {
-  if (auto sensible = check_model(recording, options); !sensible) {
-    return tl::unexpected(sensible.error());
-  }
-  const Arm nominal = arm_for(options.model, recording.arm);
-  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
-  if (!selection) {
-    return tl::unexpected(selection.error());
-  }
-  const auto start = arm_with_fitted_tips(recording, constraints, nominal, options.hold).map([&](const Arm& with_tips) {
-    return arm_near_the_balls(recording, constraints, with_tips, of_chain(*selection));
-  });
-  if (!start) {
-    return tl::unexpected(start.error());
-  }
-  CouplingOptions coupling_request = coupling_options(*selection);
-  coupling_request.noise = options.noise;
-  auto analysis = analyse(recording, constraints, *start, coupling_request);
+// The parameters free at `start`, which differs from `nominal` by what an alignment or an identification found.
+Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Recording& recording,
+                                  const Constraints& constraints, const Selection& selection, const Noise& noise) {
+  CouplingOptions coupling_request = coupling_options(selection);
+  coupling_request.noise = noise;
+  auto analysis = analyse(recording, constraints, start, coupling_request);
   if (!analysis) {
     return tl::unexpected(analysis.error());
   }
   if (analysis->coupling.scale == ScaleState::Lost) {
     return tl::unexpected(scale_is_lost());
   }
-  auto free = free_parameters(*selection, analysis->coupling);
+  auto free = free_parameters(selection, analysis->coupling);
   if (!free) {
     return tl::unexpected(free.error());
   }
@@ -77,16 +61,51 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   std::vector<int> kept;
   // Held parameters stay nominal, fitted tip or not.
   for (const Parameter& parameter : preparation.free) {
-    set_value(preparation.start, parameter, value(*start, parameter));
+    set_value(preparation.start, parameter, value(start, parameter));
     kept.push_back(find_parameter(asked, parameter.name));
   }
   const bool starts_there = std::all_of(asked.begin(), asked.end(), [&](const Parameter& parameter) {
-    return value(preparation.start, parameter) == value(*start, parameter);
+    return value(preparation.start, parameter) == value(start, parameter);
   });
   if (analysis->as_read && starts_there) {
     preparation.at_start = with_parameters(*analysis->as_read, static_cast<int>(asked.size()), kept);
   }
   return preparation;
+}
+
+}  // namespace
+
+Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
+                              const IdentifyOptions& options, Alignment alignment) {
+  if (auto sensible = check_model(recording, options); !sensible) {
+    return tl::unexpected(sensible.error());
+  }
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  const auto aligned = align(alignment, recording, constraints, nominal, of_chain(*selection));
+  if (!aligned) {
+    return no_solution(
+        "the initial alignment did not converge; is the arm's file the arm that was read, with the right joint signs "
+        "and units?");
+  }
+  const auto start = arm_with_fitted_tips(recording, constraints, *aligned, options.hold);
+  if (!start) {
+    return tl::unexpected(start.error());
+  }
+  return prepared_at(*start, nominal, recording, constraints, *selection, options.noise);
+}
+
+Expected<Preparation> prepare_from(const Arm& start, const Recording& recording, const Constraints& constraints,
+                                   const IdentifyOptions& options) {
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  return prepared_at(start, nominal, recording, constraints, *selection, options.noise);
 }
 
 }  // namespace artcal

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "identification/identify.h"
+#include "identification/initial_alignment.h"
 #include "identification/linearisation.h"
 
 namespace artcal {
@@ -18,10 +19,14 @@ struct Preparation {
   [[nodiscard]] const Linearisation* known_start() const { return at_start ? &*at_start : nullptr; }
 };
 
-/// The start near enough for balls to be seen, and of the parameters asked for those that these readings tell.
-/// Usage: a model that makes no sense for this arm, or names that it does not have. No solution: the scale is lost, or
-/// nothing is left to identify; see also analyse() and arm_with_fitted_tips().
+/// The start after an initial alignment, and of the parameters asked for those that these readings determine there.
+/// Usage: a model that makes no sense for this arm, or names that it does not have. No solution: the alignment failed,
+/// the scale is lost, or nothing is left to identify; see also analyse() and arm_with_fitted_tips().
 Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
-                              const IdentifyOptions& options);
+                              const IdentifyOptions& options, Alignment alignment);
+
+/// The same with a known arm for a start: one that was identified with these readings and others.
+Expected<Preparation> prepare_from(const Arm& start, const Recording& recording, const Constraints& constraints,
+                                   const IdentifyOptions& options);
 
 }  // namespace artcal

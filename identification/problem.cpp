@@ -73,13 +73,45 @@ class BlockCost final : public ceres::CostFunction {
   Eigen::MatrixXd& triangle_;  // the last one evaluated: at the end, the solution's
 };
 
+// Trust regions above this leave the Gauss-Newton step as it is.
+constexpr double undamped = 1e8;
+// Steps that may fail in a row before Ceres gives up: from the region we begin with down to one that damps any system.
+constexpr int max_invalid_steps = 20;
+
+/// Pseudo-observations x = 0 of the arm's steps, each with its weight; the artefact parameters before them have none.
+class PriorCost final : public ceres::CostFunction {
+ public:
+  PriorCost(Eigen::VectorXd weights, int shared_size) : weights_(std::move(weights)), shared_size_(shared_size) {
+    set_num_residuals(static_cast<int>(weights_.size()));
+    mutable_parameter_block_sizes()->push_back(shared_size + num_residuals());
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    Eigen::VectorXd::Map(residuals, weights_.size()) =
+        weights_.cwiseProduct(Eigen::VectorXd::Map(parameters[0] + shared_size_, weights_.size()));
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      Eigen::Map<RowMatrix> slope(jacobians[0], weights_.size(), shared_size_ + weights_.size());
+      slope.setZero();
+      slope.rightCols(weights_.size()).diagonal() = weights_;
+    }
+    return true;
+  }
+
+ private:
+  Eigen::VectorXd weights_;
+  int shared_size_;
+};
+
 /// Stops where a step moves nothing that matters, in the solver's physical units. Ceres' own tolerances are relative to
 /// the parameters' norm, or to a cost that has come down to its rounding.
 class StopWhenStill final : public ceres::IterationCallback {
  public:
   explicit StopWhenStill(double still) : still_(still) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
-    const bool is_still = summary.iteration > 0 && summary.step_norm < still_;
+    // A step that Ceres could not compute has the norm 0 too, and one that was cut short by a small trust region moves
+    // nothing either: neither is a sign of convergence.
+    const bool whole = summary.step_is_successful || summary.trust_region_radius > undamped;
+    const bool is_still = summary.iteration > 0 && summary.step_is_valid && whole && summary.step_norm < still_;
     return is_still ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
@@ -94,6 +126,7 @@ ceres::Solver::Options solver_options(const SolveOptions& options) {
   ceres_options.logging_type = ceres::SILENT;
   // Gauss-Newton first; the region shrinks fast where that does not lower the cost.
   ceres_options.initial_trust_region_radius = 1e16;
+  ceres_options.max_num_consecutive_invalid_steps = max_invalid_steps;
   ceres_options.parameter_tolerance = 1e-14;
   ceres_options.function_tolerance = 0.0;
   ceres_options.gradient_tolerance = 0.0;
@@ -173,6 +206,9 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
                                             at_start == nullptr ? nullptr : &at_start->triangles[b],
                                             solution.linearisation.triangles[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
+  }
+  if (options.prior_weights.size() > 0) {
+    problem.AddResidualBlock(new PriorCost(options.prior_weights, system.shared_size()), nullptr, numbers.common());
   }
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem, &summary);

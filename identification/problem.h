@@ -12,6 +12,8 @@ struct SolveOptions {
   Loss loss = Loss::None;
   int max_iterations = 100;
   double still = 1e-6;  ///< a step that moves nothing by more ends it, mm
+  /// Of each x about 0, one pseudo-observation each (a weak prior: Tikhonov 1963); empty: none. For coarse alignment.
+  Eigen::VectorXd prior_weights = {};
 };
 
 /// How a solve ended. Only Converged leaves numbers that may be used.

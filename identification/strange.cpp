@@ -27,12 +27,19 @@ const Item* standing_out(const std::vector<Item>& items, double far_off, Size&& 
 
 }  // namespace
 
-std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off) {
+std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation, double far_off) {
   if (const auto* feature = standing_out(evaluation.features, far_off, [](const auto& f) { return f.rms; })) {
     return fmt::format(
         "the readings of feature {} in placement {} are {:.3g} mm rms off with an arm that the others fit: was that "
         "feature touched by all of them, and on the artefact that is described?",
         in_quotes(feature->name.feature), in_quotes(feature->name.placement), feature->rms);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off) {
+  if (auto feature = feature_that_stands_out(evaluation, far_off)) {
+    return feature;
   }
   if (const auto* length = standing_out(evaluation.lengths, far_off, [](const auto& l) { return std::abs(l.error); })) {
     return fmt::format(

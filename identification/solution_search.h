@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identification/arm_fit.h"
+#include "identification/initial_alignment.h"
+#include "identification/misfit.h"
+#include "identification/preparation.h"
+
+namespace artcal {
+
+/// A converged fit from one initial alignment.
+struct Candidate {
+  Alignment alignment = Alignment::None;
+  int attempt = 1;  ///< initial alignments tried, of a candidate without misfits until it was found
+  Preparation preparation;
+  ArmFit fit;
+  Evaluation after;                  ///< of the readings by the arm found
+  std::vector<std::string> misfits;  ///< why it is no solution, see misfits(); empty: it is one
+};
+
+/// Tries the initial alignments in their order until a fit is a solution. Where none is, the candidate whose residuals
+/// are smallest, with its misfits.
+/// No solution: no alignment led to a fit that converges; the error is that of the first.
+Expected<Candidate> search_solution(const Recording& recording, const Constraints& constraints,
+                                    const IdentifyOptions& options);
+
+}  // namespace artcal
