@@ -29,7 +29,7 @@ const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == 
 Json parameters_json(const Identification& result) {
   Json json = Json::array();
   for (const IdentifiedParameter& parameter : result.parameters) {
-    const bool identified = parameter.state == ParameterState::Identified;
+    const bool identified = parameter.state == ParameterState::Identified || parameter.state == ParameterState::Weak;
     json.push_back({{"name", parameter.parameter.name},
                     {"unit", parameter.parameter.unit()},
                     {"nominal", parameter.nominal},

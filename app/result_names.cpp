@@ -24,6 +24,7 @@ const char* result_name(Conclusion conclusion) {
 const char* result_name(ParameterState state) {
   switch (state) {
     case ParameterState::Held: return "held";
+    case ParameterState::Weak: return "weak";
     case ParameterState::Lost: return "lost";
     case ParameterState::Identified: break;
   }

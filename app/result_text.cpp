@@ -159,10 +159,10 @@ std::string parameters_text(const Identification& result) {
   for (const IdentifiedParameter& p : result.parameters) {
     const ShownUnit unit = shown_unit(p.parameter.name, p.parameter.unit());
     const auto number = [&](double value) { return fmt::format("{:.{}f}", value / unit.size, unit.decimals); };
-    const bool identified = p.state == ParameterState::Identified;
+    const bool identified = p.state == ParameterState::Identified || p.state == ParameterState::Weak;
     table.add({p.parameter.name, unit.name, number(p.nominal), number(p.identified),
                identified ? fmt::format("{:+.{}f}", (p.identified - p.nominal) / unit.size, unit.decimals) : "",
-               identified                        ? fmt::format("{:.2g}", p.u / unit.size)
+               identified ? fmt::format("{:.2g}{}", p.u / unit.size, p.state == ParameterState::Weak ? " (prior)" : "")
                : p.state == ParameterState::Lost ? "cannot be told"
                                                  : "held"});
   }

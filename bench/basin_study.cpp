@@ -49,7 +49,7 @@ void table(const char* heading, const std::map<std::string, Count>& counts) {
 }
 
 void study(int sessions, std::uint64_t seed, bool list) {
-  std::map<std::string, Count> by_kind, by_rough, by_stylus, by_placements, by_cap, mislabelled;
+  std::map<std::string, Count> by_kind, by_rough, by_stylus, by_placements, by_cap, by_noise, mislabelled;
   std::uint64_t state = seed * 2654435761u + 99;
   for (const double rough : {1.0, 2.0, 5.0, 10.0, 30.0}) {
     for (const probing::Kind kind : probing::all_kinds) {
@@ -68,12 +68,17 @@ void study(int sessions, std::uint64_t seed, bool list) {
         const probing::Bound bound = probing::bound(session, asked.noise);
         IdentifyOptions options;
         options.leave_out = false;
+        const bool stated = any({true, true, false}, state);
+        if (stated) {
+          options.noise.reading = asked.noise;
+        }
         const auto result = identify(bound.recording, bound.constraints, options);
         const Outcome outcome = probing::outcome(session, result);
         const std::string at = fmt::format("s = {:2g}, {}", rough, probing::name_of(kind));
         if (list && (outcome == Outcome::Wrong || (outcome == Outcome::Refused && asked.wrong_labels == 0))) {
-          fmt::print("{}: stylus {}, placements {}, cap {}, noise {}, seed {}, wrong labels {}: {}\n", at,
+          fmt::print("{}: stylus {}, placements {}, cap {}, noise {}, seed {}, wrong labels {}, noise {}: {}\n", at,
                      asked.stylus_within, asked.placements, asked.cap, asked.noise, asked.seed, asked.wrong_labels,
+                     stated ? "stated" : "not stated",
                      result ? fmt::format("{:.3f} mm off, stated {:.3f}",
                                           probing::length_error(session.truth, probing::chain_of(result->arm)),
                                           probing::stated_length_error(*result))
@@ -94,6 +99,7 @@ void study(int sessions, std::uint64_t seed, bool list) {
         }
         if (rough <= 10.0) {
           by_stylus[fmt::format("stylus within {:3g} deg, s <= 10", asked.stylus_within)].add(outcome);
+          by_noise[stated ? "noise stated, s <= 10" : "noise not stated, s <= 10"].add(outcome);
           by_placements[fmt::format("{} placements, s <= 10", asked.placements)].add(outcome);
           by_cap[fmt::format("cap of {} deg, s <= 10", asked.cap)].add(outcome);
           by_rough["s <= 10"].add(outcome);
@@ -107,6 +113,7 @@ void study(int sessions, std::uint64_t seed, bool list) {
   table("stylus", by_stylus);
   table("placements", by_placements);
   table("cap", by_cap);
+  table("noise", by_noise);
   table("one reading under another feature's name", mislabelled);
 }
 

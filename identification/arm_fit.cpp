@@ -7,6 +7,7 @@
 
 #include "core/statistics.h"
 #include "identification/settle.h"
+#include "identification/weak_parameters.h"
 #include "identification/weights.h"
 
 namespace artcal {
@@ -32,11 +33,35 @@ double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, 
   return std::sqrt(residuals.readings_squared() / left);
 }
 
+void put_prior(const WeakPrior& prior, const System& system, SolveOptions& options) {
+  if (prior.names.empty()) {
+    return;
+  }
+  options.prior_weights = prior_weights(system);
+  options.prior_at = Eigen::VectorXd::Zero(system.arm_size());
+  for (int i = 0; i < system.arm_size(); ++i) {
+    const Parameter& parameter = system.free[static_cast<std::size_t>(i)];
+    options.prior_at[i] = (value(prior.nominal, parameter) - value(system.start, parameter)) / system.scale[i];
+  }
+}
+
 }  // namespace
+
+bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free) {
+  double squares = 0.0;
+  int count = 0;
+  for (const Parameter& parameter : free) {
+    if (const double deviation = prior_deviation(parameter); deviation > 0.0) {
+      squares += std::pow((value(fit.arm, parameter) - value(prior.nominal, parameter)) / deviation, 2);
+      ++count;
+    }
+  }
+  return count > 0 && squares > chi_squared_quantile(0.999, count);
+}
 
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
                          const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
-                         const Linearisation* at_start) {
+                         const Linearisation* at_start, const WeakPrior& prior) {
   const System system = make_system(recording, constraints, start, free);
   auto unknowns = settle(system, start, recording);
   if (!unknowns) {
@@ -44,7 +69,8 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   }
   ArmFit fit;
   const int residuals = constraints.residual_count();
-  fit.degrees_of_freedom = residuals - constraints.unknown_count() - system.arm_size();
+  fit.degrees_of_freedom =
+      residuals - constraints.unknown_count() - system.arm_size() + static_cast<int>(prior.names.size());
   if (fit.degrees_of_freedom < 1) {
     return no_solution(
         fmt::format("{} residuals cannot determine {} parameters and {} unknown coordinates with "
@@ -59,8 +85,9 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   for (bool standing = false; !standing && fit.rounds < max_rounds;) {
     // Until the noise is known a robust loss would not know what is far.
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
-    const SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations,
-                             noise_is_known ? options.still : good_for_the_noise};
+    SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations,
+                       noise_is_known ? options.still : good_for_the_noise};
+    put_prior(prior, system, round);
     Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
                               fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
     ++fit.rounds;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/error.h"
 #include "identification/covariance.h"
 #include "identification/problem.h"
@@ -23,6 +26,19 @@ struct ArmFit {
   std::string termination;
 };
 
+/// A weak prior about the nominal values of all free parameters (prior_deviation()), one pseudo-observation each: next
+/// to nothing for what the readings determine, and what keeps the rest near the nominal arm. `names` are the parameters
+/// that it decides, one a direction; empty: no prior. It counts in cost and covariance, and `names` in the degrees of
+/// freedom.
+struct WeakPrior {
+  std::vector<std::string> names;
+  Arm nominal;
+};
+
+/// Whether the parameters found with a prior contradict it (chi-squared, 0.1 %): then the readings do not determine the
+/// arm, and what the fit made of them is the bias of a nearly free direction.
+bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free);
+
 /// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and
 /// certified distances together have the χ² of their degrees of freedom; with a robust loss from the
 /// median absolute deviation), sets the weights accordingly, and solves again until the noise stands.
@@ -31,6 +47,6 @@ struct ArmFit {
 /// No solution: no degree of freedom left, no convergence.
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
                          const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
-                         const Linearisation* at_start = nullptr);
+                         const Linearisation* at_start = nullptr, const WeakPrior& prior = {});
 
 }  // namespace artcal

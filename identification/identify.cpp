@@ -54,8 +54,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
                       (*covariance + common->bottomRightCorner(covariance->rows(), covariance->cols()));
   result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
-    const auto described_at = std::find_if(result.parameters.begin(), result.parameters.end(),
-                                    [&](const auto& described) { return described.parameter.name == parameter.name; });
+    const auto described_at =
+        std::find_if(result.parameters.begin(), result.parameters.end(),
+                     [&](const auto& described) { return described.parameter.name == parameter.name; });
     result.free.push_back(static_cast<int>(described_at - result.parameters.begin()));
   }
   if (auto sensible = check_joint_errors(result.parameters); !sensible) {
@@ -66,6 +67,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.after = std::move(found->after);
   result.alignment = found->alignment;
   result.attempts = found->attempt;
+  mark_weak(found->weak, result);
   result.misfits = std::move(found->misfits);
   result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);
   result.model_study = search_residuals(identified, *fit, recording);
@@ -89,7 +91,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
       }
       const SolveOptions solve_options{options.loss, options.max_iterations};
       return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options,
-                     prepared->known_start())
+                     prepared->known_start(), {result.weak, recording.arm})
           .map([](const ArmFit& refit) { return refit.arm; });
     };
     result.left_out = leave_placements_out(recording, constraints, identify_without, options.threads);

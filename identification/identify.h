@@ -35,6 +35,7 @@ struct IdentifyOptions {
 enum class ParameterState {
   Identified,  ///< found from the readings, with a standard uncertainty
   Held,        ///< kept at its nominal value: asked for, or the last joint's a and d
+  Weak,        ///< found with a weak prior about its nominal value, which the readings alone determine worse
   Lost,        ///< kept at its nominal value: the readings cannot tell it
 };
 
@@ -42,7 +43,7 @@ struct IdentifiedParameter {
   Parameter parameter;
   double nominal = 0.0;  ///< in the parameter's unit
   double identified = 0.0;
-  double u = 0.0;  ///< standard uncertainty; 0 and without meaning unless Identified
+  double u = 0.0;  ///< standard uncertainty; 0 and without meaning unless Identified or Weak
   ParameterState state = ParameterState::Identified;
 };
 
@@ -96,6 +97,7 @@ struct Identification {
   Arm arm;
   Alignment alignment = Alignment::None;  ///< the initial alignment that led to it
   int attempts = 1;                       ///< initial alignments tried until then
+  std::vector<std::string> weak;          ///< parameters in the state Weak
   std::vector<std::string> misfits;       ///< why it is no solution (accept_misfit only), see identification/misfit.h
   Model model;
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made

@@ -5,12 +5,12 @@
 #include <map>
 #include <utility>
 
-#include "core/units.h"
 #include "identification/coupling.h"
 #include "identification/problem.h"
 #include "identification/residual.h"
 #include "identification/settle.h"
 #include "identification/tips.h"
+#include "identification/weak_parameters.h"
 #include "identification/weights.h"
 
 namespace artcal {
@@ -18,9 +18,6 @@ namespace {
 
 // Below this share of ball's and tip's radius the readings are surely on the side of the ball where the arm has them.
 constexpr double round_enough = 0.03;
-// Standard deviations of the prior on what a nominal arm is off by.
-constexpr double prior_length = 10.0;                // mm
-constexpr double prior_angle = 3.0 * units::degree;  // rad
 // Of a centre taken to lie along the stylus or at the tip, as a share of both radii.
 constexpr double centre_scatter = 0.5;
 constexpr double ball_of_unknown_size = 12.7;  // mm, in that place only
@@ -62,14 +59,6 @@ std::vector<Parameter> identifiable(const Recording& recording, const Constraint
   const auto coupling = analyse_coupling(recording, constraints, arm, coupling_options(selection));
   const auto free = coupling ? free_parameters(selection, *coupling) : tl::unexpected(coupling.error());
   return free ? *free : std::vector<Parameter>{};
-}
-
-Eigen::VectorXd prior_of(const System& system) {
-  Eigen::VectorXd weights(system.arm_size());
-  for (int i = 0; i < system.arm_size(); ++i) {
-    weights[i] = system.scale[i] / (system.free[i].is_length() ? prior_length : prior_angle);
-  }
-  return weights;
 }
 
 // Readings count by `sigma`, and what is certified by no more than the readings on it: held to a micrometre,
@@ -152,7 +141,7 @@ std::optional<State> fit_to_centres(Alignment alignment, const Recording& record
   }
   state.unknowns = std::move(*unknowns);
   state.x = Eigen::VectorXd::Zero(state.system.arm_size());
-  state.prior = prior_of(state.system);
+  state.prior = prior_weights(state.system);
   const double sigma = std::max(1.0, centre_scatter * largest_radii(constraints, start));
   if (alignment == Alignment::JointsFirst) {
     State offsets = state;
@@ -195,7 +184,7 @@ std::optional<Arm> fit_to_spheres(const Recording& recording, const Constraints&
     state.x[i] = (value(coarse, parameter) - value(start, parameter)) / state.system.scale[i];
   }
   auto unknowns = centres != nullptr ? begin_at(*centres, state.system, state.arm(), recording) : std::nullopt;
-  state.prior = prior_of(state.system);
+  state.prior = prior_weights(state.system);
   for (const double sigma : narrowing) {
     if (!unknowns) {
       const auto settled = settle(state.system, state.arm(), recording);

@@ -1,5 +1,6 @@
 #include "identification/judgement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -100,6 +101,24 @@ std::vector<std::string> suspicions(const Identification& result, double length)
                     std::sqrt(squares / count) / result.after.overall.rms));
   }
   return warnings;
+}
+
+void mark_weak(std::vector<std::string> names, Identification& result) {
+  if (names.empty()) {
+    return;
+  }
+  for (IdentifiedParameter& parameter : result.parameters) {
+    if (std::find(names.begin(), names.end(), parameter.parameter.name) != names.end()) {
+      parameter.state = ParameterState::Weak;
+    }
+  }
+  result.warnings.push_back(fmt::format(
+      "these readings alone do not determine {} within 10 mm or 3 deg, and the estimation does not converge to a "
+      "plausible arm: a weak prior about the nominal values (standard deviation 10 mm or 3 deg) was added, which "
+      "decides "
+      "{} of {} parameters and is counted in the uncertainties. More varied postures, or --hold, make it unnecessary",
+      fmt::join(names, ", "), names.size(), result.free.size()));
+  result.weak = std::move(names);
 }
 
 Error misfit_error(const Candidate& candidate) {

@@ -19,6 +19,9 @@ Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parame
 /// Things that are no error but that a careful person would want to know; `length` is the arm's reach, mm.
 std::vector<std::string> suspicions(const Identification& result, double length);
 
+/// Parameters with a weak prior, because the readings hardly determine them: their state, and a warning.
+void mark_weak(std::vector<std::string> names, Identification& result);
+
 /// Why a fit with misfits is refused: what they are, the feature or distance that stands out, what to do.
 Error misfit_error(const Candidate& candidate);
 

@@ -1,18 +1,26 @@
 #include "identification/plane_start.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 namespace artcal {
 namespace {
 
 // Of what the possible sides differ by: a certified distance missed by more does not tell the side.
 constexpr double told_clearly = 0.45;
+
+// The stylus shows the side of a plane where this many readings have it on one side, so far from the plane on average.
+constexpr int min_styluses = 6;
+constexpr double min_stylus_cosine = 0.3;
+constexpr double max_contrary_styluses = 0.1;  // as a share: the axis is not known well yet
 
 /// A certified distance between two planes of the group, by their places in it.
 struct Between {
@@ -112,6 +120,22 @@ Sides spread(double first_side, const std::vector<Tips>& planes, const std::vect
   return sides;
 }
 
+// The side of each plane by the stylus, which cannot come out of the material: against the outward normal. Nothing
+// where it does not show for each plane, because the readings are few or the stylus lay along the plane.
+std::optional<std::vector<double>> sides_by_stylus(const std::vector<Tips>& planes, const Eigen::Vector3d& axis) {
+  std::vector<double> sides;
+  for (const Tips& plane : planes) {
+    const Eigen::ArrayXd along = (axis.transpose() * plane.styluses).transpose().array();
+    const double side = along.mean() < 0.0 ? 1.0 : -1.0;
+    if (plane.feature->size() < min_styluses || std::abs(along.mean()) < min_stylus_cosine ||
+        static_cast<double>((side * along > 0.0).count()) > max_contrary_styluses * plane.feature->size()) {
+      return std::nullopt;
+    }
+    sides.push_back(side);
+  }
+  return sides;
+}
+
 // Whether a distance is met well enough to tell the sides of its planes.
 bool tells_sides(const Between& between, const std::vector<Tips>& planes, const std::vector<BothSides>& places,
                  const Sides& sides) {
@@ -126,6 +150,45 @@ bool tells_sides(const Between& between, const std::vector<Tips>& planes, const 
                                 on(places[between.first], sides.of[between.first]).place);
   const double possible = cosine < 0.0 ? 2.0 * diameter : diameter;
   return std::abs(apart - between.value) <= told_clearly * possible;
+}
+
+// The axis of a gauge by linear least squares: along it, the tips are at the certified heights, less a place in common.
+// Narrow faces alone do not show it while the arm misses them; their certified distances do. Nothing where these do not
+// either, because one face was read or the lengths are not of one unit.
+std::optional<Eigen::Vector3d> gauge_axis(const std::vector<Tips>& faces, const Eigen::Vector3d& origin) {
+  Eigen::Index rows = 0;
+  for (const Tips& face : faces) {
+    rows += face.centres.cols();
+  }
+  Eigen::MatrixX4d a(rows, 4);
+  Eigen::VectorXd b(rows);
+  Eigen::Index row = 0;
+  for (const Tips& face : faces) {
+    for (Eigen::Index k = 0; k < face.centres.cols(); ++k, ++row) {
+      a.row(row) << (face.centres.col(k) - origin).transpose(), -1.0;
+      b[row] = face.feature->height + face.feature->facing * face.radii[k];
+    }
+  }
+  const Eigen::Vector3d axis = a.colPivHouseholderQr().solve(b).head<3>();
+  return axis.norm() > 0.5 && axis.norm() < 2.0 ? std::optional<Eigen::Vector3d>(axis.normalized()) : std::nullopt;
+}
+
+const Between* first_missed(const std::vector<Between>& distances, const std::vector<Tips>& planes,
+                            const std::vector<BothSides>& places, const Sides& sides) {
+  const auto missed = std::find_if(distances.begin(), distances.end(), [&](const Between& between) {
+    return !tells_sides(between, planes, places, sides);
+  });
+  return missed == distances.end() ? nullptr : &*missed;
+}
+
+// The normal by the styluses, whose mean lies against it on each plane.
+Eigen::Vector3d normal_by_styluses(const std::vector<Tips>& planes) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Tips& plane : planes) {
+    const Eigen::Vector3d mean = plane.styluses.rowwise().mean();
+    sum += mean.dot(sum) < 0.0 ? Eigen::Vector3d(-mean) : mean;
+  }
+  return sum.norm() > 0.0 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d::UnitZ();
 }
 
 // A gauge looks along the axis or against it: its certified heights and its tips' radii agree with one.
@@ -174,11 +237,13 @@ Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constr
     squares += (plane.centres.colwise() - group.reference.origin).squaredNorm();
   }
   group.reference.size = std::sqrt(squares / static_cast<double>(count));
-  const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
-  const Eigen::Vector3d across = eigen.eigenvectors().col(2);
+  const bool is_gauge = planes.front().feature->facing != 0.0;
+  const auto by_heights = is_gauge ? gauge_axis(planes, group.reference.origin) : std::nullopt;
+  const Eigen::Vector3d axis = by_heights.value_or(eigen.eigenvectors().col(0));
+  const Eigen::Vector3d across = by_heights ? axis.unitOrthogonal() : Eigen::Vector3d(eigen.eigenvectors().col(2));
   group.reference.rotation << across, axis.cross(across), axis;
 
-  if (planes.front().feature->facing != 0.0) {
+  if (is_gauge) {
     settle_gauge(planes, group);
     return group;
   }
@@ -190,13 +255,25 @@ Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constr
   const auto distances = distances_between(planes, constraints);
   const Sides outward = spread(1.0, planes, places, distances);
   const Sides inward = spread(-1.0, planes, places, distances);
-  const Sides& sides = inward.cost < outward.cost * (1.0 - 1e-9) ? inward : outward;
-  for (const Between& between : distances) {
-    if (!tells_sides(between, planes, places, sides)) {
+  Sides sides = inward.cost < outward.cost * (1.0 - 1e-9) ? inward : outward;
+  if (const auto by_stylus = planes.size() > 1 ? sides_by_stylus(planes, axis) : std::nullopt) {
+    sides.of = *by_stylus;
+  } else if (const Between* missed = first_missed(distances, planes, places, sides)) {
+    // Faces that the arm misses by more than they are wide do not show their normal; the styluses roughly do.
+    const Eigen::Vector3d along_styluses = normal_by_styluses(planes);
+    const auto roughly = sides_by_stylus(planes, along_styluses);
+    if (!roughly) {
       return no_solution(fmt::format(
           "a certified distance between planes, {} mm at {}, is missed by so much that it does not show "
           "on which side of them the tip was; state `at` and `normal` of the planes, or begin with a better arm",
-          between.value, called));
+          missed->value, called));
+    }
+    const Eigen::Vector3d side = along_styluses.unitOrthogonal();
+    group.reference.rotation << side, along_styluses.cross(side), along_styluses;
+    sides.of = *roughly;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      places[i] = {placed(planes[i], along_styluses, group.reference.origin, -1.0),
+                   placed(planes[i], along_styluses, group.reference.origin, 1.0)};
     }
   }
   group.reference.sides = sides.of;

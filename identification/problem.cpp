@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "identification/rows.h"
+#include "identification/triangular_factor.h"
 
 namespace artcal {
 namespace {
@@ -78,17 +79,20 @@ constexpr double undamped = 1e8;
 // Steps that may fail in a row before Ceres gives up: from the region we begin with down to one that damps any system.
 constexpr int max_invalid_steps = 20;
 
-/// Pseudo-observations x = 0 of the arm's steps, each with its weight; the artefact parameters before them have none.
+/// Pseudo-observations of the arm's steps, each with its weight; the artefact parameters before them have none.
 class PriorCost final : public ceres::CostFunction {
  public:
-  PriorCost(Eigen::VectorXd weights, int shared_size) : weights_(std::move(weights)), shared_size_(shared_size) {
+  PriorCost(const SolveOptions& options, int shared_size)
+      : weights_(options.prior_weights),
+        at_(options.prior_at.size() > 0 ? options.prior_at : Eigen::VectorXd::Zero(weights_.size())),
+        shared_size_(shared_size) {
     set_num_residuals(static_cast<int>(weights_.size()));
     mutable_parameter_block_sizes()->push_back(shared_size + num_residuals());
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    Eigen::VectorXd::Map(residuals, weights_.size()) =
-        weights_.cwiseProduct(Eigen::VectorXd::Map(parameters[0] + shared_size_, weights_.size()));
+    const auto x = Eigen::VectorXd::Map(parameters[0] + shared_size_, weights_.size());
+    Eigen::VectorXd::Map(residuals, weights_.size()) = weights_.cwiseProduct(x - at_);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
       Eigen::Map<RowMatrix> slope(jacobians[0], weights_.size(), shared_size_ + weights_.size());
       slope.setZero();
@@ -97,8 +101,16 @@ class PriorCost final : public ceres::CostFunction {
     return true;
   }
 
+  /// The rows for the triangle of [shared unknowns | arm | residual] at x.
+  [[nodiscard]] Eigen::MatrixXd rows(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(weights_.size(), shared_size_ + weights_.size() + 1);
+    all.middleCols(shared_size_, weights_.size()).diagonal() = weights_;
+    all.rightCols<1>() = weights_.cwiseProduct(x - at_);
+    return all;
+  }
+
  private:
-  Eigen::VectorXd weights_;
+  Eigen::VectorXd weights_, at_;
   int shared_size_;
 };
 
@@ -208,11 +220,18 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   if (options.prior_weights.size() > 0) {
-    problem.AddResidualBlock(new PriorCost(options.prior_weights, system.shared_size()), nullptr, numbers.common());
+    problem.AddResidualBlock(new PriorCost(options, system.shared_size()), nullptr, numbers.common());
   }
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem, &summary);
   numbers.copy_to(solution.x, solution.unknowns);
+  if (options.prior_weights.size() > 0 && summary.IsSolutionUsable()) {
+    Eigen::MatrixXd& triangle = solution.linearisation.triangles.front();
+    TriangularFactor factor(static_cast<int>(triangle.cols()));
+    factor.add(triangle);
+    factor.add(PriorCost(options, system.shared_size()).rows(solution.x));
+    triangle = factor.triangle();
+  }
   solution.termination = termination_of(summary);
   solution.iterations = static_cast<int>(summary.iterations.size()) - 1;
   solution.initial_cost = summary.initial_cost;

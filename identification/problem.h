@@ -12,8 +12,10 @@ struct SolveOptions {
   Loss loss = Loss::None;
   int max_iterations = 100;
   double still = 1e-6;  ///< a step that moves nothing by more ends it, mm
-  /// Of each x about 0, one pseudo-observation each (a weak prior: Tikhonov 1963); empty: none. For coarse alignment.
+  /// Of each x about prior_at, one pseudo-observation each (a weak prior: Tikhonov 1963); empty: none.
+  /// The cost and the linearisation of the solution count it.
   Eigen::VectorXd prior_weights = {};
+  Eigen::VectorXd prior_at = {};  ///< the x that the prior is about; empty: 0
 };
 
 /// How a solve ended. Only Converged leaves numbers that may be used.

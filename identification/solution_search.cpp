@@ -1,35 +1,117 @@
 #include "identification/solution_search.h"
 
+#include "identification/weak_parameters.h"
+
+#include <cmath>
 #include <optional>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace artcal {
 namespace {
 
-Expected<Candidate> candidate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
-                                   const IdentifyOptions& options) {
-  auto preparation = prepare(recording, constraints, options, alignment);
+// Relative difference of the residuals' sizes at one and the same minimum.
+constexpr double same_minimum = 1e-3;
+
+/// A fit and what it began with.
+struct Fitted {
+  Preparation preparation;
+  ArmFit fit;
+};
+
+Expected<Fitted> fitted(Expected<Preparation> preparation, const Recording& recording, const Constraints& constraints,
+                        const IdentifyOptions& options, const WeakPrior& prior = {}) {
   if (!preparation) {
     return tl::unexpected(preparation.error());
   }
   auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise,
-                     SolveOptions{options.loss, options.max_iterations}, preparation->known_start());
+                     SolveOptions{options.loss, options.max_iterations}, preparation->known_start(), prior);
   if (!fit) {
     return tl::unexpected(fit.error());
   }
-  auto after = evaluate(recording, constraints, fit->arm);
+  return Fitted{std::move(*preparation), std::move(*fit)};
+}
+
+bool is_plausible(const Expected<Fitted>& fitted, const Arm& nominal) {
+  return fitted && is_plausible(nominal, fitted->fit.arm, fitted->preparation.free);
+}
+
+// Where the fit fails: with a weak prior on parameters that the readings hardly determine, then without it from the arm
+// found. `weak` gets their names where the prior stays.
+Expected<Fitted> fitted_with_prior(Expected<Fitted> failed, const Preparation& preparation, const Recording& recording,
+                                   const Constraints& constraints, const IdentifyOptions& options,
+                                   std::vector<std::string>& weak) {
+  const auto found = find_weak_parameters(recording, constraints, preparation.start, preparation.free, options.noise);
+  if (!found) {
+    return failed;
+  }
+  const auto again = [&](const Arm& start, const WeakPrior& prior) {
+    return fitted(prepare_from(start, recording, constraints, options), recording, constraints, options, prior);
+  };
+  auto held = found->names.empty() ? tl::unexpected(Error{}) : again(found->arm, {found->names, recording.arm});
+  auto whole = again(held ? held->fit.arm : found->arm, {});
+  if (is_plausible(whole, recording.arm)) {
+    return whole;
+  }
+  if (!is_plausible(held, recording.arm)) {
+    return failed;
+  }
+  if (contradicts({found->names, recording.arm}, held->fit, held->preparation.free)) {
+    return no_solution(fmt::format(
+        "these readings do not determine {} well enough for any estimate of the arm: even with a prior of 10 mm and 3 "
+        "deg about the nominal values, the fit moves further than that. Take more varied readings, with a certified "
+        "length among them",
+        fmt::join(found->names, ", ")));
+  }
+  weak = found->names;
+  return held;
+}
+
+Expected<Candidate> candidate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
+                                   const IdentifyOptions& options) {
+  const auto preparation = prepare(recording, constraints, options, alignment);
+  auto fit = fitted(preparation, recording, constraints, options);
+  std::vector<std::string> weak;
+  if (preparation && !is_plausible(fit, recording.arm)) {
+    fit = fitted_with_prior(std::move(fit), *preparation, recording, constraints, options, weak);
+  }
+  if (!fit) {
+    return tl::unexpected(fit.error());
+  }
+  auto after = evaluate(recording, constraints, fit->fit.arm);
   if (!after) {
     return tl::unexpected(after.error());
   }
-  Candidate candidate{alignment, 1, std::move(*preparation), std::move(*fit), std::move(*after), {}};
-  candidate.misfits = misfits(candidate.fit, candidate.after, constraints, recording.arm, candidate.preparation.free,
-                              options.noise, options.loss);
-  return candidate;
+  auto reasons =
+      misfits(fit->fit, *after, constraints, recording.arm, fit->preparation.free, options.noise, options.loss);
+  return Candidate{
+      alignment,      1, std::move(fit->preparation), std::move(fit->fit), std::move(*after), std::move(reasons),
+      std::move(weak)};
 }
 
 // By what the least squares made small: the noise that would explain the residuals.
 double residual_size(const Candidate& candidate, const IdentifyOptions& options) {
   return options.noise.is_given() ? noise_ratio(candidate.fit, options.loss) : candidate.fit.noise;
+}
+
+bool is_better(const Candidate& candidate, const Candidate& best, const IdentifyOptions& options) {
+  if (candidate.misfits.empty() != best.misfits.empty()) {
+    return candidate.misfits.empty();
+  }
+  return residual_size(candidate, options) < residual_size(best, options);
+}
+
+// The zero offsets before the rest are a way along the stylus too.
+Alignment family(Alignment alignment) {
+  return alignment == Alignment::JointsFirst ? Alignment::StylusCentres : alignment;
+}
+
+// Whether another way led to the same minimum.
+bool confirms(const Candidate& candidate, const Candidate& best, const IdentifyOptions& options) {
+  return candidate.misfits.empty() && family(candidate.alignment) != family(best.alignment) &&
+         std::abs(residual_size(candidate, options) / residual_size(best, options) - 1.0) < same_minimum;
 }
 
 }  // namespace
@@ -38,6 +120,7 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
                                     const IdentifyOptions& options) {
   std::optional<Candidate> best;
   std::optional<Error> first_error;
+  bool confirmed = false;
   int attempt = 0;
   for (const Alignment alignment : alignments_for(recording, constraints, arm_for(options.model, recording.arm))) {
     auto candidate = candidate_from(alignment, recording, constraints, options);
@@ -50,15 +133,26 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
       continue;
     }
     candidate->attempt = attempt;
-    if (!best || residual_size(*candidate, options) < residual_size(*best, options)) {
+    // Of a nominal arm that sees its features, and of a stated noise, the residuals show whether the minimum is the
+    // right one.
+    confirmed = candidate->misfits.empty() && (options.noise.is_given() || alignment == Alignment::None ||
+                                               (best && confirms(*candidate, *best, options)));
+    if (!best || is_better(*candidate, *best, options)) {
       best = std::move(*candidate);
     }
-    if (best->misfits.empty()) {
+    if (confirmed) {
       break;
     }
   }
   if (!best) {
     return tl::unexpected(*first_error);
+  }
+  if (!confirmed && best->misfits.empty()) {
+    best->misfits.push_back(
+        fmt::format("no two of {} initial alignments led to this solution, and no noise is stated that its residuals "
+                    "of {:.3g} mm a "
+                    "coordinate could be judged by",
+                    attempt, best->fit.noise));
   }
   return std::move(*best);
 }

@@ -18,11 +18,13 @@ struct Candidate {
   ArmFit fit;
   Evaluation after;                  ///< of the readings by the arm found
   std::vector<std::string> misfits;  ///< why it is no solution, see misfits(); empty: it is one
+  std::vector<std::string> weak;     ///< parameters with a weak prior, because the readings hardly determine them
 };
 
-/// Tries the initial alignments in their order until a fit is a solution. Where none is, the candidate whose residuals
-/// are smallest, with its misfits.
-/// No solution: no alignment led to a fit that converges; the error is that of the first.
+/// Tries the initial alignments in their order until a fit is a solution. Where no noise is stated by which to judge
+/// the residuals, and the nominal arm does not see its features, a second alignment must lead to the same minimum.
+/// Where none is a solution, the candidate whose residuals are smallest, with its misfits. No solution: no alignment
+/// led to a fit that converges; the error is that of the first.
 Expected<Candidate> search_solution(const Recording& recording, const Constraints& constraints,
                                     const IdentifyOptions& options);
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace artcal {
 namespace {
 
@@ -40,6 +43,13 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
     return no_solution(
         "the readings agree to the last digits, so that there is no noise to draw from; state one, such as --noise "
         "\"15 um\"");
+  }
+  if (!identification.weak.empty()) {
+    return no_solution(fmt::format(
+        "{} {} estimated with a weak prior, which trials with new noise do not draw; fix what the readings hardly "
+        "determine: --hold {}",
+        fmt::join(identification.weak, ", "), identification.weak.size() == 1 ? "is" : "are",
+        fmt::join(identification.weak, ",")));
   }
   if (monte_carlo.u_arm_temperature > 0.0 && !expands(identification.arm)) {
     return bad_input(

@@ -119,7 +119,7 @@ void write_parameters(const Json& result, Sheet& sheet) {
       return fmt::format("{:.{}f}", parameter.at(key).get<double>() / unit.size, unit.decimals);
     };
     const std::string state = parameter.at("state");
-    const bool identified = state == "identified";
+    const bool identified = state == "identified" || state == "weak";
     const double change = parameter.at("identified").get<double>() - parameter.at("nominal").get<double>();
     table.add({parameter.at("name"), unit.name, number("nominal"), number("identified"),
                identified ? fmt::format("{:+.{}f}", change / unit.size, unit.decimals) : "–",

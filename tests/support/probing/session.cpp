@@ -207,7 +207,10 @@ std::optional<std::vector<Touch>> read_placement(Dice& dice, const Session& sess
     for (int k = 0; k < thing.readings; ++k) {
       Contact touched = contact(dice, thing, f, pose, session.tip_radius, probing.cap);
       touched.tip += probing.noise * dice.normals();
-      const auto q = joints_at(dice, session.truth, touched, seat ? 60.0 : probing.stylus_within);
+      // The stylus cannot come through the material of a plane, and does not lie along it.
+      const bool plane = thing.artefact.features[f].kind == FeatureKind::Plane;
+      const double within = seat ? 60.0 : plane ? std::min(80.0, probing.stylus_within) : probing.stylus_within;
+      const auto q = joints_at(dice, session.truth, touched, within);
       if (!q) {
         return std::nullopt;
       }

@@ -1,0 +1,107 @@
+#include "identification/weak_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "identification/linearisation.h"
+#include "identification/problem.h"
+#include "identification/settle.h"
+#include "identification/svd.h"
+#include "identification/weights.h"
+
+namespace artcal {
+namespace {
+
+constexpr double prior_length = 10.0;                // mm
+constexpr double prior_angle = 3.0 * units::degree;  // rad
+// A preferred parameter is fixed where its part in a direction is at least this share of the largest.
+constexpr double good_part = 0.3;
+constexpr double tip_preference = 0.1;
+
+// The higher, the rather fixed: lengths of outer joints first, a before d; never a tip or a scale's only length.
+double preference(const Parameter& parameter) {
+  if (parameter.kind == ParameterKind::A) {
+    return 2.0 * parameter.owner + 2.0;
+  }
+  if (parameter.kind == ParameterKind::D) {
+    return 2.0 * parameter.owner + 1.0;
+  }
+  return parameter.is_tip() ? tip_preference : 0.0;
+}
+
+// Index of the parameter to fix for a direction (unit, in prior standard deviations).
+int leading(const Eigen::VectorXd& direction, const std::vector<Parameter>& free) {
+  Eigen::Index best = 0;
+  const double largest = direction.cwiseAbs().maxCoeff(&best);
+  for (Eigen::Index i = 0; i < direction.size(); ++i) {
+    if (std::abs(direction[i]) >= good_part * largest &&
+        preference(free[static_cast<std::size_t>(i)]) > preference(free[static_cast<std::size_t>(best)])) {
+      best = i;
+    }
+  }
+  return static_cast<int>(best);
+}
+
+// Takes one parameter a weak direction, each time from the directions of the parameters left.
+std::vector<std::string> weak_of(Eigen::MatrixXd triangle, std::vector<Parameter> free, double noise) {
+  std::vector<std::string> names;
+  while (free.size() > 1) {
+    const Svd decomposition = svd(triangle);
+    const Eigen::Index last = decomposition.values.size() - 1;
+    if (decomposition.values[last] >= noise) {
+      break;
+    }
+    const int index = leading(decomposition.right_vectors.col(last), free);
+    names.push_back(free[static_cast<std::size_t>(index)].name);
+    free.erase(free.begin() + index);
+    const Eigen::Index after = triangle.cols() - 1 - index;
+    triangle.middleCols(index, after) = Eigen::MatrixXd(triangle.rightCols(after));
+    triangle.conservativeResize(Eigen::NoChange, triangle.cols() - 1);
+  }
+  return names;
+}
+
+}  // namespace
+
+double prior_deviation(const Parameter& parameter) {
+  return parameter.is_length() ? prior_length : parameter.is_angle() ? prior_angle : 0.0;
+}
+
+Eigen::VectorXd prior_weights(const System& system) {
+  Eigen::VectorXd weights(system.arm_size());
+  for (int i = 0; i < system.arm_size(); ++i) {
+    const double deviation = prior_deviation(system.free[i]);
+    weights[i] = deviation > 0.0 ? system.scale[i] / deviation : 1.0 / prior_length;
+  }
+  return weights;
+}
+
+std::optional<WeakParameters> find_weak_parameters(const Recording& recording, const Constraints& constraints,
+                                                   const Arm& start, const std::vector<Parameter>& free,
+                                                   const Noise& noise) {
+  const System system = make_system(recording, constraints, start, free);
+  auto unknowns = settle(system, start, recording);
+  if (!unknowns) {
+    return std::nullopt;
+  }
+  const Weights weights = first_weights(system, start, *unknowns, noise);
+  SolveOptions options;
+  options.prior_weights = prior_weights(system);
+  const Solution solution =
+      solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns), options);
+  if (solution.termination == Termination::Failed || !solution.x.allFinite()) {
+    return std::nullopt;
+  }
+  // Residuals in units of the stated noise or, where none is stated, in mm: then what the fit leaves is the noise.
+  const int left = constraints.residual_count() - constraints.unknown_count() - system.arm_size();
+  const double sigma =
+      noise.is_given() || left < 1 ? 1.0 : std::sqrt(2.0 * solution.final_cost / static_cast<double>(left));
+  const Eigen::VectorXd by_prior = options.prior_weights.cwiseInverse();
+  const Arm arm = system.arm_at(solution.x.data());
+  const Linearisation by_readings = linearise(system, weights, Loss::None, arm, solution.unknowns);
+  const Eigen::MatrixXd triangle = arm_triangle(by_readings, system.arm_size()) * by_prior.asDiagonal();
+  return WeakParameters{arm, weak_of(triangle, free, sigma)};
+}
+
+}  // namespace artcal
