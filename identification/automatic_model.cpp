@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "identification/judgement.h"
+
 namespace artcal {
 namespace {
 
@@ -107,7 +109,10 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
   if (!options.leave_out) {
     return wrong_usage("--model auto judges groups by placements that are left out, and these are not to be");
   }
-  auto best = identify(recording, constraints, options);
+  // What a narrow model leaves of the residuals, a wider one may explain: judged is the last.
+  IdentifyOptions judged_later = options;
+  judged_later.accept_misfit = true;
+  auto best = identify(recording, constraints, judged_later);
   if (!best) {
     return best;
   }
@@ -127,7 +132,7 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
     std::optional<Identification> better;
     std::size_t taken = 0;
     for (auto group = candidates.begin(); group != candidates.end();) {
-      IdentifyOptions wider = options;
+      IdentifyOptions wider = judged_later;
       wider.model = best->model;
       wider.model.push_back(*group);
       auto result = identify(recording, constraints, wider);
@@ -155,6 +160,9 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
     trials[taken].verdict = ModelTrial::Verdict::Taken;
     best = std::move(*better);
     std::erase(candidates, best->model.back());
+  }
+  if (!best->misfits.empty() && !options.accept_misfit) {
+    return tl::unexpected(misfit_error(best->misfits, best->attempts));
   }
   best->trials = std::move(trials);
   return best;

@@ -26,7 +26,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(with_reason(found.error(), recording, constraints, recording.arm));
   }
   if (!found->misfits.empty() && !options.accept_misfit) {
-    return tl::unexpected(misfit_error(*found));
+    return tl::unexpected(misfit_error(found->misfits, found->attempt));
   }
   Preparation* const preparation = &found->preparation;
   const ArmFit* const fit = &found->fit;

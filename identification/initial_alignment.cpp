@@ -210,6 +210,9 @@ std::optional<Arm> fit_to_spheres(const Recording& recording, const Constraints&
 std::vector<Alignment> alignments_for(const Recording& recording, const Constraints& constraints, const Arm& arm) {
   using enum Alignment;
   const bool has_balls = std::any_of(constraints.features.begin(), constraints.features.end(), is_ball);
+  if (constraints.features.empty()) {
+    return {None};
+  }
   if (!has_balls) {
     return std::vector{None, TipCentres, JointsFirst};
   }

@@ -121,15 +121,14 @@ void mark_weak(std::vector<std::string> names, Identification& result) {
   result.weak = std::move(names);
 }
 
-Error misfit_error(const Candidate& candidate) {
+Error misfit_error(const std::vector<std::string>& misfits, int attempts) {
   return {
       ErrorCode::NoSolution,
       fmt::format("no arm was found that fits these readings: {}. {} initial alignment{} {} tried. Look for readings "
                   "under another feature's name, a wrong certified value, a wrong radius of the tip, and joint order, "
                   "signs and units of the arm's file; --loss cauchy lists single readings that do not fit, and "
                   "--accept-misfit writes the arm all the same",
-                  fmt::join(candidate.misfits, "; "), candidate.attempt, candidate.attempt == 1 ? "" : "s",
-                  candidate.attempt == 1 ? "was" : "were"),
+                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s", attempts == 1 ? "was" : "were"),
       {}};
 }
 

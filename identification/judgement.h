@@ -5,7 +5,6 @@
 
 #include "identification/arm_fit.h"
 #include "identification/identify.h"
-#include "identification/solution_search.h"
 
 namespace artcal {
 
@@ -22,8 +21,9 @@ std::vector<std::string> suspicions(const Identification& result, double length)
 /// Parameters with a weak prior, because the readings hardly determine them: their state, and a warning.
 void mark_weak(std::vector<std::string> names, Identification& result);
 
-/// Why a fit with misfits is refused: what they are, the feature or distance that stands out, what to do.
-Error misfit_error(const Candidate& candidate);
+/// Why a fit with misfits (identification/misfit.h) is refused: what they are, the feature or distance that stands out,
+/// what to do.
+Error misfit_error(const std::vector<std::string>& misfits, int attempts);
 
 /// What was wrong with a fit that failed, where the arm that it began with shows it.
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start);

@@ -15,6 +15,9 @@ namespace artcal {
 namespace {
 
 constexpr double max_noise_ratio = 10.0;
+// What errors that a model lacks may add to the noise: encoders of 40 arcsec of eccentricity at full reach.
+constexpr double max_unmodelled_per_reach = 2e-4;
+constexpr double min_max_unmodelled = 0.1;  // mm
 constexpr double max_noise_per_reach = 5e-4;
 constexpr double min_max_noise = 0.5;  // mm
 constexpr double max_length_ratio = 20.0;
@@ -46,7 +49,8 @@ std::string in_unit(const Parameter& parameter, double change) {
 void judge_residuals(const ArmFit& fit, const Arm& nominal, const Noise& noise, Loss loss,
                      std::vector<std::string>& reasons) {
   const double ratio = noise_ratio(fit, loss);
-  if (noise.is_given() && !(ratio <= max_noise_ratio)) {
+  const double unmodelled = std::max(min_max_unmodelled, max_unmodelled_per_reach * reach(nominal));
+  if (noise.is_given() && !(ratio <= max_noise_ratio) && !(ratio * fit.noise <= unmodelled)) {
     reasons.push_back(
         fmt::format("the residuals are {:.3g} times the stated noise, {:.3g} mm a coordinate instead of {:.3g} mm",
                     ratio, ratio * fit.noise, fit.noise));

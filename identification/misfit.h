@@ -11,8 +11,9 @@ namespace artcal {
 
 /// Why a converged fit is no solution, in sentences; empty where it is one. Judged by chi-squared where the noise is
 /// stated and by physics, never by comparing features with each other (all may be bad, or there may be one only):
-/// - the residuals exceed ten times the stated noise or, where none is stated, what any arm and probe can have: half a
-///   milliradian at the arm's reach, at least 0.5 mm. With a robust loss the median of the residuals counts, so that
+/// - the residuals exceed ten times the stated noise and what errors that a model lacks can add to it (0.2 mrad at the
+///   arm's reach, at least 0.1 mm) or, where no noise is stated, what any arm and probe can have: half a milliradian at
+///   the arm's reach, at least 0.5 mm. With a robust loss the median of the residuals counts, so that
 ///   readings it lets go of do not;
 /// - a certified distance, measured between features fitted each by itself, is off by twenty times its standard
 ///   uncertainty, that of its two ends included (not with a robust loss);

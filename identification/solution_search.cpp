@@ -14,6 +14,7 @@ namespace {
 
 // Relative difference of the residuals' sizes at one and the same minimum.
 constexpr double same_minimum = 1e-3;
+constexpr double sure_noise_ratio = 3.0;
 
 /// A fit and what it began with.
 struct Fitted {
@@ -103,6 +104,13 @@ bool is_better(const Candidate& candidate, const Candidate& best, const Identify
   return residual_size(candidate, options) < residual_size(best, options);
 }
 
+// Whether the minimum is surely the right one: begun at a nominal arm that sees its features, or with residuals of the
+// size of the stated noise.
+bool shows_itself(const Candidate& candidate, const IdentifyOptions& options) {
+  return candidate.alignment == Alignment::None ||
+         (options.noise.is_given() && residual_size(candidate, options) < sure_noise_ratio);
+}
+
 // The zero offsets before the rest are a way along the stylus too.
 Alignment family(Alignment alignment) {
   return alignment == Alignment::JointsFirst ? Alignment::StylusCentres : alignment;
@@ -133,10 +141,8 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
       continue;
     }
     candidate->attempt = attempt;
-    // Of a nominal arm that sees its features, and of a stated noise, the residuals show whether the minimum is the
-    // right one.
-    confirmed = candidate->misfits.empty() && (options.noise.is_given() || alignment == Alignment::None ||
-                                               (best && confirms(*candidate, *best, options)));
+    confirmed = candidate->misfits.empty() &&
+                (shows_itself(*candidate, options) || (best && confirms(*candidate, *best, options)));
     if (!best || is_better(*candidate, *best, options)) {
       best = std::move(*candidate);
     }
@@ -149,10 +155,10 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
   }
   if (!confirmed && best->misfits.empty()) {
     best->misfits.push_back(
-        fmt::format("no two of {} initial alignments led to this solution, and no noise is stated that its residuals "
-                    "of {:.3g} mm a "
-                    "coordinate could be judged by",
-                    attempt, best->fit.noise));
+        fmt::format("no two of {} initial alignments led to this solution, and its residuals of {:.3g} mm a coordinate "
+                    "do not show by themselves that it is the right one ({})",
+                    attempt, best->fit.noise * (options.noise.is_given() ? residual_size(*best, options) : 1.0),
+                    options.noise.is_given() ? "the stated noise is smaller" : "no noise is stated"));
   }
   return std::move(*best);
 }

@@ -21,10 +21,10 @@ struct Candidate {
   std::vector<std::string> weak;     ///< parameters with a weak prior, because the readings hardly determine them
 };
 
-/// Tries the initial alignments in their order until a fit is a solution. Where no noise is stated by which to judge
-/// the residuals, and the nominal arm does not see its features, a second alignment must lead to the same minimum.
-/// Where none is a solution, the candidate whose residuals are smallest, with its misfits. No solution: no alignment
-/// led to a fit that converges; the error is that of the first.
+/// Tries the initial alignments in their order until a fit is surely the solution: the nominal arm saw its features, or
+/// the residuals are of the size of the stated noise, or another alignment led to the same minimum. Where none is, the
+/// candidate whose residuals are smallest, with its misfits.
+/// No solution: no alignment led to a fit that converges; the error is that of the first.
 Expected<Candidate> search_solution(const Recording& recording, const Constraints& constraints,
                                     const IdentifyOptions& options);
 
