@@ -95,8 +95,8 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     fit.termination = solution.message;
     if (solution.termination != Termination::Converged) {
       return no_solution(
-          fmt::format("the solver did not converge ({}); is the arm's file the arm that was read, with "
-                      "the right joint signs and units?",
+          fmt::format("the estimation did not converge ({}). Check certified distances and names of features, and the "
+                      "arm's file: joint order, signs, units",
                       solution.message));
     }
     x = solution.x;

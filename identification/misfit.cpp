@@ -15,8 +15,8 @@ namespace artcal {
 namespace {
 
 constexpr double max_noise_ratio = 10.0;
-// What errors that a model lacks may add to the noise: encoders of 40 arcsec of eccentricity at full reach.
-constexpr double max_unmodelled_per_reach = 2e-4;
+// What errors that a model lacks may add to the noise: 20 arcsec of one encoder at full reach.
+constexpr double max_unmodelled_per_reach = 1e-4;
 constexpr double min_max_unmodelled = 0.1;  // mm
 constexpr double max_noise_per_reach = 5e-4;
 constexpr double min_max_noise = 0.5;  // mm

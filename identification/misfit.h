@@ -11,7 +11,7 @@ namespace artcal {
 
 /// Why a converged fit is no solution, in sentences; empty where it is one. Judged by chi-squared where the noise is
 /// stated and by physics, never by comparing features with each other (all may be bad, or there may be one only):
-/// - the residuals exceed ten times the stated noise and what errors that a model lacks can add to it (0.2 mrad at the
+/// - the residuals exceed ten times the stated noise and what errors that a model lacks can add to it (0.1 mrad at the
 ///   arm's reach, at least 0.1 mm) or, where no noise is stated, what any arm and probe can have: half a milliradian at
 ///   the arm's reach, at least 0.5 mm. With a robust loss the median of the residuals counts, so that
 ///   readings it lets go of do not;

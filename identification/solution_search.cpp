@@ -59,12 +59,11 @@ Expected<Fitted> fitted_with_prior(Expected<Fitted> failed, const Preparation& p
   if (!is_plausible(held, recording.arm)) {
     return failed;
   }
-  if (contradicts({found->names, recording.arm}, held->fit, held->preparation.free)) {
+  if (found->scale_is_weak || contradicts({found->names, recording.arm}, held->fit, held->preparation.free)) {
     return no_solution(fmt::format(
-        "these readings do not determine {} well enough for any estimate of the arm: even with a prior of 10 mm and 3 "
-        "deg about the nominal values, the fit moves further than that. Take more varied readings, with a certified "
-        "length among them",
-        fmt::join(found->names, ", ")));
+        "these readings do not determine {}{} well enough for an estimate of the arm: the fit does not stay near the "
+        "nominal arm without a prior. Take more varied readings, with a certified length among them",
+        found->scale_is_weak ? "the scale of the arm and " : "", fmt::join(found->names, ", ")));
   }
   weak = found->names;
   return held;

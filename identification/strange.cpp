@@ -30,8 +30,9 @@ const Item* standing_out(const std::vector<Item>& items, double far_off, Size&& 
 std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation, double far_off) {
   if (const auto* feature = standing_out(evaluation.features, far_off, [](const auto& f) { return f.rms; })) {
     return fmt::format(
-        "the readings of feature {} in placement {} are {:.3g} mm rms off with an arm that the others fit: was that "
-        "feature touched by all of them, and on the artefact that is described?",
+        "the readings of feature {} in placement {} are {:.3g} mm rms off an arm that fits the others (were all of "
+        "them "
+        "taken on that feature, and on the artefact described?)",
         in_quotes(feature->name.feature), in_quotes(feature->name.placement), feature->rms);
   }
   return std::nullopt;
@@ -44,7 +45,7 @@ std::optional<std::string> what_stands_out(const Evaluation& evaluation, double 
   if (const auto* length = standing_out(evaluation.lengths, far_off, [](const auto& l) { return std::abs(l.error); })) {
     return fmt::format(
         "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.6g} mm with an arm "
-        "that the others fit: have these features each other's names?",
+        "that fits the others (have these features each other's names?)",
         in_quotes(length->first.feature), in_quotes(length->second), in_quotes(length->first.placement), length->error,
         length->certified);
   }

@@ -18,6 +18,7 @@ constexpr double prior_angle = 3.0 * units::degree;  // rad
 // A preferred parameter is fixed where its part in a direction is at least this share of the largest.
 constexpr double good_part = 0.3;
 constexpr double tip_preference = 0.1;
+constexpr double mainly = 0.6;  // cosine
 
 // The higher, the rather fixed: lengths of outer joints first, a before d; never a tip or a scale's only length.
 double preference(const Parameter& parameter) {
@@ -43,23 +44,33 @@ int leading(const Eigen::VectorXd& direction, const std::vector<Parameter>& free
   return static_cast<int>(best);
 }
 
+// The growth of all lengths in proportion, in prior standard deviations.
+Eigen::VectorXd growth_of(const Arm& arm, const std::vector<Parameter>& free) {
+  Eigen::VectorXd growth = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    growth[static_cast<Eigen::Index>(i)] = free[i].is_length() ? value(arm, free[i]) / prior_length : 0.0;
+  }
+  return growth;
+}
+
 // Takes one parameter a weak direction, each time from the directions of the parameters left.
-std::vector<std::string> weak_of(Eigen::MatrixXd triangle, std::vector<Parameter> free, double noise) {
-  std::vector<std::string> names;
+void take_weak(Eigen::MatrixXd triangle, std::vector<Parameter> free, double noise, WeakParameters& weak) {
   while (free.size() > 1) {
     const Svd decomposition = svd(triangle);
     const Eigen::Index last = decomposition.values.size() - 1;
     if (decomposition.values[last] >= noise) {
       break;
     }
-    const int index = leading(decomposition.right_vectors.col(last), free);
-    names.push_back(free[static_cast<std::size_t>(index)].name);
+    const Eigen::VectorXd direction = decomposition.right_vectors.col(last);
+    const Eigen::VectorXd growth = growth_of(weak.arm, free);
+    weak.scale_is_weak |= std::abs(direction.dot(growth)) > mainly * growth.norm();
+    const int index = leading(direction, free);
+    weak.names.push_back(free[static_cast<std::size_t>(index)].name);
     free.erase(free.begin() + index);
     const Eigen::Index after = triangle.cols() - 1 - index;
     triangle.middleCols(index, after) = Eigen::MatrixXd(triangle.rightCols(after));
     triangle.conservativeResize(Eigen::NoChange, triangle.cols() - 1);
   }
-  return names;
 }
 
 }  // namespace
@@ -101,7 +112,9 @@ std::optional<WeakParameters> find_weak_parameters(const Recording& recording, c
   const Arm arm = system.arm_at(solution.x.data());
   const Linearisation by_readings = linearise(system, weights, Loss::None, arm, solution.unknowns);
   const Eigen::MatrixXd triangle = arm_triangle(by_readings, system.arm_size()) * by_prior.asDiagonal();
-  return WeakParameters{arm, weak_of(triangle, free, sigma)};
+  WeakParameters weak{arm, {}};
+  take_weak(triangle, free, sigma, weak);
+  return weak;
 }
 
 }  // namespace artcal

@@ -20,6 +20,7 @@ Eigen::VectorXd prior_weights(const System& system);
 struct WeakParameters {
   Arm arm;
   std::vector<std::string> names;
+  bool scale_is_weak = false;  ///< one of the directions is mainly the growth of all lengths in proportion
 };
 
 /// Fits the free parameters from `start` with the prior about it, which converges where a direction is hardly

@@ -46,7 +46,7 @@ std::string refusal(const test::Bound& bound, Loss loss = Loss::None) {
 
 TEST(Mislabelled, ReadingsOfSeatsAreNamed) {
   EXPECT_THAT(refusal(mislabelled(seats, 4, false)),
-              AllOf(HasSubstr("feature \"1\" in placement \"0\""), HasSubstr("No arm fits")));
+              AllOf(HasSubstr("feature \"1\" in placement \"0\""), HasSubstr("no arm fits")));
 }
 
 TEST(Mislabelled, ReadingsOfBallsAreNamed) {
