@@ -35,6 +35,15 @@ Expected<Fitted> fitted(Expected<Preparation> preparation, const Recording& reco
   return Fitted{std::move(*preparation), std::move(*fit)};
 }
 
+Error hardly_determined(const std::vector<std::string>& names, bool scale) {
+  return {
+      ErrorCode::NoSolution,
+      fmt::format("these readings do not determine {}{}{} well enough for an estimate of the arm: to no better than 10 "
+                  "mm or 3 deg. Take more varied readings, with a certified length among them",
+                  scale ? "the scale of the arm" : "", scale && !names.empty() ? " and " : "", fmt::join(names, ", ")),
+      {}};
+}
+
 bool is_plausible(const Expected<Fitted>& fitted, const Arm& nominal) {
   return fitted && is_plausible(nominal, fitted->fit.arm, fitted->preparation.free);
 }
@@ -60,10 +69,7 @@ Expected<Fitted> fitted_with_prior(Expected<Fitted> failed, const Preparation& p
     return failed;
   }
   if (found->scale_is_weak || contradicts({found->names, recording.arm}, held->fit, held->preparation.free)) {
-    return no_solution(fmt::format(
-        "these readings do not determine {}{} well enough for an estimate of the arm: the fit does not stay near the "
-        "nominal arm without a prior. Take more varied readings, with a certified length among them",
-        found->scale_is_weak ? "the scale of the arm and " : "", fmt::join(found->names, ", ")));
+    return tl::unexpected(hardly_determined(found->names, found->scale_is_weak));
   }
   weak = found->names;
   return held;
@@ -79,6 +85,9 @@ Expected<Candidate> candidate_from(Alignment alignment, const Recording& recordi
   }
   if (!fit) {
     return tl::unexpected(fit.error());
+  }
+  if (weak.empty() && is_scale_weak(fit->fit.arm, fit->preparation.free, fit->fit.linearisation, fit->fit.scale)) {
+    return tl::unexpected(hardly_determined({}, true));
   }
   auto after = evaluate(recording, constraints, fit->fit.arm);
   if (!after) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "identification/linearisation.h"
 #include "identification/problem.h"
 #include "identification/settle.h"
 #include "identification/svd.h"
@@ -79,13 +78,21 @@ double prior_deviation(const Parameter& parameter) {
   return parameter.is_length() ? prior_length : parameter.is_angle() ? prior_angle : 0.0;
 }
 
-Eigen::VectorXd prior_weights(const System& system) {
-  Eigen::VectorXd weights(system.arm_size());
-  for (int i = 0; i < system.arm_size(); ++i) {
-    const double deviation = prior_deviation(system.free[i]);
-    weights[i] = deviation > 0.0 ? system.scale[i] / deviation : 1.0 / prior_length;
+Eigen::VectorXd prior_weights(const std::vector<Parameter>& free, const Eigen::VectorXd& scale) {
+  Eigen::VectorXd weights(scale.size());
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    const double deviation = prior_deviation(free[static_cast<std::size_t>(i)]);
+    weights[i] = deviation > 0.0 ? scale[i] / deviation : 1.0 / prior_length;
   }
   return weights;
+}
+
+bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Linearisation& linearisation,
+                   const Eigen::VectorXd& scale) {
+  WeakParameters weak{arm, {}};
+  const Eigen::VectorXd by_prior = prior_weights(free, scale).cwiseInverse();
+  take_weak(arm_triangle(linearisation, static_cast<int>(free.size())) * by_prior.asDiagonal(), free, 1.0, weak);
+  return weak.scale_is_weak;
 }
 
 std::optional<WeakParameters> find_weak_parameters(const Recording& recording, const Constraints& constraints,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/parameters.h"
+#include "identification/linearisation.h"
 #include "identification/system.h"
 
 namespace artcal {
@@ -14,7 +15,8 @@ namespace artcal {
 double prior_deviation(const Parameter& parameter);
 
 /// Weights of pseudo-observations x = 0 of a system's steps (SolveOptions::prior_weights).
-Eigen::VectorXd prior_weights(const System& system);
+Eigen::VectorXd prior_weights(const std::vector<Parameter>& free, const Eigen::VectorXd& scale);
+inline Eigen::VectorXd prior_weights(const System& system) { return prior_weights(system.free, system.scale); }
 
 /// An arm fitted under the prior, and the parameters that the readings determine worse than the prior does.
 struct WeakParameters {
@@ -22,6 +24,11 @@ struct WeakParameters {
   std::vector<std::string> names;
   bool scale_is_weak = false;  ///< one of the directions is mainly the growth of all lengths in proportion
 };
+
+/// Whether the readings determine the growth of all lengths in proportion worse than a nominal arm does:
+/// `linearisation` is that of a fit without prior, at `arm`, its weights being those of the noise.
+bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Linearisation& linearisation,
+                   const Eigen::VectorXd& scale);
 
 /// Fits the free parameters from `start` with the prior about it, which converges where a direction is hardly
 /// determined, and takes the singular values of the readings' own system there, each column in units of its prior's
