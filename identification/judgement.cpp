@@ -122,13 +122,14 @@ void mark_weak(std::vector<std::string> names, Identification& result) {
 }
 
 Error misfit_error(const std::vector<std::string>& misfits, int attempts) {
-  return {ErrorCode::NoSolution,
-          fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). Look for readings under another "
-                      "feature's name, a wrong certified value, a wrong radius of the tip, and joint order, signs and "
-                      "units of the arm's file. --loss cauchy lists single readings that do not fit; --accept-misfit "
-                      "writes the arm all the same",
-                      fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s"),
-          {}};
+  return {
+      ErrorCode::NoSolution,
+      fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). Look for readings under another "
+                  "feature's name, a wrong certified value, a wrong radius of the tip, and joint order, signs and "
+                  "units of the arm's file; --model auto looks for errors that the model lacks. --loss cauchy lists "
+                  "single readings that do not fit; --accept-misfit writes the arm all the same",
+                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s"),
+      {}};
 }
 
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {

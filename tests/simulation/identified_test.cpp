@@ -47,6 +47,7 @@ Both identified(const SimulationPlan& plan, const Model& model = {}) {
   options.noise = Noise{{}, 2.0 * units::arcsecond, 0.003};
   options.leave_out = false;
   options.model = model;
+  options.accept_misfit = true;  // what a model lacks is to be seen in the residuals
   auto identification = identify(simulation->recording, *constraints, options);
   if (!identification) throw std::runtime_error(identification.error().text());
   return {std::move(*simulation), std::move(*identification)};
