@@ -44,8 +44,23 @@ Error hardly_determined(const std::vector<std::string>& names, bool scale) {
       {}};
 }
 
+// Whether a parameter ran away along a direction that the readings hardly determine: further from its nominal value
+// than three standard deviations of the prior, with a standard uncertainty above one.
+bool ran_away(const Fitted& fitted, const Arm& nominal) {
+  const auto covariance = arm_covariance(fitted.fit.scale, fitted.fit.linearisation);
+  for (Eigen::Index i = 0; covariance && i < covariance->rows(); ++i) {
+    const Parameter& parameter = fitted.preparation.free[static_cast<std::size_t>(i)];
+    const double deviation = prior_deviation(parameter);
+    const double moved = std::abs(value(fitted.fit.arm, parameter) - value(nominal, parameter));
+    if (deviation > 0.0 && moved > 3.0 * deviation && (*covariance)(i, i) > deviation * deviation) {
+      return true;
+    }
+  }
+  return !covariance;
+}
+
 bool is_plausible(const Expected<Fitted>& fitted, const Arm& nominal) {
-  return fitted && is_plausible(nominal, fitted->fit.arm, fitted->preparation.free);
+  return fitted && is_plausible(nominal, fitted->fit.arm, fitted->preparation.free) && !ran_away(*fitted, nominal);
 }
 
 // Where the fit fails: with a weak prior on parameters that the readings hardly determine, then without it from the arm
