@@ -9,6 +9,7 @@
 
 #include "core/calendar_date.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 #include "core/toml_keys.h"
 
 namespace artcal {
@@ -31,6 +32,10 @@ std::string position(const std::string& path, const toml::source_region& source)
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
 
+// Whether a text was written for this program. The path of a file of any other kind may be a mistake or an attempt to
+// have it shown: no message quotes what is in it.
+bool says_artcal(std::string_view text) { return text.find("artcal-") != std::string_view::npos; }
+
 // Every text that is parsed here passes this first: toml++ takes deep tables apart by recursion.
 Expected<toml::table> guarded_parse(const TextFile& file) {
   const std::string path = file.path.string();
@@ -40,7 +45,9 @@ Expected<toml::table> guarded_parse(const TextFile& file) {
   try {
     return toml::parse(file.text, path);
   } catch (const toml::parse_error& error) {
-    return bad_input(fmt::format("this is not valid TOML: {}", at_most(200, error.description())),
+    return bad_input(says_artcal(file.text)
+                         ? fmt::format("this is not valid TOML: {}", at_most(200, error.description()))
+                         : "this is not valid TOML, expected a file that begins with schema = \"artcal-…\"",
                      position(path, error.source()));
   }
 }
@@ -63,6 +70,17 @@ std::optional<double> finite_number(const toml::node& node) {
   }
   const double value = node.value<double>().value_or(std::nan(""));
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+// "artcal-arm/1": what a schema is called, in any program.
+bool is_schema_name(std::string_view text) {
+  const auto all_of = [](std::string_view part, auto is) {
+    return !part.empty() && std::all_of(part.begin(), part.end(), is);
+  };
+  const std::size_t slash = text.find('/');
+  return slash != std::string_view::npos && text.size() <= 40 &&
+         all_of(text.substr(0, slash), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; }) &&
+         all_of(text.substr(slash + 1), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 // The first key in the file that no reader asked for.
@@ -140,6 +158,10 @@ std::string TomlTable::name(std::string_view key) {
   if (find_control(found)) {
     fail(key, fmt::format("`{}` is {}, which holds a line end or another control character, expected plain text", key,
                           in_quotes(found)));
+  }
+  if (character_count(found) > largest::name) {
+    fail(key, fmt::format("`{}` has {} characters, expected a name of at most {}", key, character_count(found),
+                          largest::name));
   }
   return found;
 }
@@ -318,14 +340,17 @@ Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_vie
                      file.path.string());
   }
   if (const std::string found = root.text("schema"); found != schema) {
-    root.fail("schema", fmt::format("schema is {}, expected \"{}\"", in_quotes(found), schema));
+    root.fail("schema",
+              is_schema_name(found)
+                  ? fmt::format("schema is {}, expected \"{}\"", in_quotes(found), schema)
+                  : fmt::format("the file has a schema of another program, expected schema = \"{}\"", schema));
     return tl::unexpected(*root.shared_->first_error);
   }
   return document;
 }
 
 Expected<TomlDocument> TomlDocument::read(const std::filesystem::path& path, std::string_view schema) {
-  return read_text_file(path).and_then([&](const TextFile& file) { return parse(file, schema); });
+  return read_text_file(path, largest::toml).and_then([&](const TextFile& file) { return parse(file, schema); });
 }
 
 Expected<void> TomlDocument::so_far() const {
