@@ -82,11 +82,15 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   fit.weights = first_weights(system, fit.arm, fit.unknowns, noise);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.arm_size());
   double sigma = 1.0;
+  if (options.loss != Loss::None && !noise.is_given()) {
+    // Least squares first would follow what the loss is there to let go of: the start's own residuals say what is far.
+    fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+    sigma = std::max(least_noise, noise_factor(fit.residuals, fit.degrees_of_freedom, options.loss));
+    fit.weights = uniform_weights(constraints, sigma);
+  }
   for (bool standing = false; !standing && fit.rounds < max_rounds;) {
-    // Until the noise is known a robust loss would not know what is far.
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
-    SolveOptions round{noise_is_known ? options.loss : Loss::None, options.max_iterations,
-                       noise_is_known ? options.still : good_for_the_noise};
+    SolveOptions round{options.loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
     put_prior(prior, system, round);
     Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
                               fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);

@@ -1,14 +1,23 @@
 #include "identification/ball_start.h"
 
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
 
 constexpr int most_iterations = 50;
+constexpr double cauchy_scale = 1.4826 * 2.385;
+// When readings of another feature are looked for: least squares miss by this share of the radius, and a robust fit
+// leaves half of the readings within that share of their rms.
+constexpr double gross_miss = 0.2;
+constexpr double strangers_only = 0.05;
+constexpr Eigen::Index fewest_for_robust = 6;
 
 /// Points from their own mean, and where a ball's centre is by equations that are linear in it.
 struct Centred {
@@ -115,12 +124,61 @@ std::optional<Eigen::Vector3d> best_centre(const Centred& points, const Eigen::V
   return best ? std::optional<Eigen::Vector3d>(best->ball.centre) : std::nullopt;
 }
 
+double median_of(const Eigen::VectorXd& values) {
+  std::vector<double> all(values.begin(), values.end());
+  return median(all);
+}
+
+Eigen::VectorXd misses(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, const Eigen::Vector3d& centre) {
+  return ((p.colwise() - centre).colwise().norm().transpose() - rho).cwiseAbs();
+}
+
+// Cauchy's loss by iterated reweighting, its scale the median of the misses, begun at the median of the points:
+// readings of another feature among the ball's do not move it.
+Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho) {
+  Eigen::Vector3d centre(median_of(p.row(0)), median_of(p.row(1)), median_of(p.row(2)));
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const double scale = std::max(1e-6 * rho.mean(), cauchy_scale * median_of(misses(p, rho, centre)));
+    Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 0; i < p.cols(); ++i) {
+      const Eigen::Vector3d away = centre - p.col(i);
+      const double length = std::max(away.norm(), 1e-9);
+      const double miss = rho[i] - length;
+      const double weight = 1.0 / (1.0 + miss * miss / (scale * scale));
+      normal += weight / (length * length) * away * away.transpose();
+      gradient += weight * miss / length * away;
+    }
+    const Eigen::Vector3d step = normal.ldlt().solve(gradient);
+    centre += step;
+    if (step.norm() <= 1e-9 * rho.mean()) {
+      break;
+    }
+  }
+  return centre;
+}
+
+// Least squares, unless they miss by a good part of the radius where nearly all readings lie on a sphere: then some are
+// another feature's, and a fit with a loss must begin at the sphere of the others.
+Eigen::Vector3d without_strangers(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho,
+                                  const Eigen::Vector3d& centre) {
+  const double rms = misses(p, rho, centre).norm() / std::sqrt(static_cast<double>(p.cols()));
+  if (p.cols() < fewest_for_robust || rms < gross_miss * rho.mean()) {
+    return centre;
+  }
+  const Eigen::Vector3d robust = robust_centre(p, rho);
+  return robust.allFinite() && median_of(misses(p, rho, robust)) < strangers_only * rms ? robust : centre;
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances) {
   const auto about_mean = centred(points, distances);
   const auto centre = about_mean ? best_centre(*about_mean, distances) : std::nullopt;
-  return centre ? std::optional<Eigen::Vector3d>(*centre + about_mean->mean) : std::nullopt;
+  if (!centre) {
+    return std::nullopt;
+  }
+  return without_strangers(about_mean->p, distances, *centre) + about_mean->mean;
 }
 
 std::optional<Ball> ball_touched_at(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& tip_radii) {

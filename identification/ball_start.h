@@ -7,7 +7,8 @@
 namespace artcal {
 
 /// The point at given distances (mm) from given points (columns), by least squares. Nothing where the points do
-/// not determine it: fewer than four, or all in one plane.
+/// not determine it: fewer than four, or all in one plane. Where they miss by a fifth of the distances though half of
+/// the points fit a sphere twenty times as well, some belong to another feature, and the point is that of the others.
 std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances);
 
 struct Ball {

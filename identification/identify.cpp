@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "acquisition/tip_centres.h"
 #include "identification/arm_fit.h"
 #include "identification/common_errors.h"
@@ -15,6 +17,24 @@
 #include "identification/solution_search.h"
 
 namespace artcal {
+namespace {
+
+// The readings that an arm fitted with a robust loss leaves out, if there is one that fits all others.
+std::vector<std::string> strangers(const Recording& recording, const Constraints& constraints,
+                                   IdentifyOptions options) {
+  options.loss = Loss::Cauchy;
+  const auto found = search_solution(recording, constraints, options);
+  std::vector<std::string> where;
+  if (found && found->misfits.empty()) {
+    for (const Outlier& outlier : find_outliers(recording, constraints, found->fit.residuals, found->after)) {
+      where.push_back(fmt::format("{} ({}, {}, {:+.3g} mm)", recording.where(outlier.reading), outlier.name.placement,
+                                  outlier.name.feature, outlier.deviation));
+    }
+  }
+  return where;
+}
+
+}  // namespace
 
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options) {
@@ -26,7 +46,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(with_reason(found.error(), recording, constraints, recording.arm));
   }
   if (!found->misfits.empty() && !options.accept_misfit) {
-    return tl::unexpected(misfit_error(found->misfits, found->attempt));
+    return tl::unexpected(misfit_error(found->misfits, found->attempt, strangers(recording, constraints, options)));
   }
   Preparation* const preparation = &found->preparation;
   const ArmFit* const fit = &found->fit;

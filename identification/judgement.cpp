@@ -17,6 +17,7 @@ namespace {
 // What stands out by more, mm, is worth a warning; by more than the second it is no reading of what it is said to be.
 constexpr double a_slip = 0.3;
 constexpr double another_place = 2.0;
+constexpr std::size_t max_readings_named = 5;
 
 }  // namespace
 
@@ -121,15 +122,23 @@ void mark_weak(std::vector<std::string> names, Identification& result) {
   result.weak = std::move(names);
 }
 
-Error misfit_error(const std::vector<std::string>& misfits, int attempts) {
-  return {
-      ErrorCode::NoSolution,
-      fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). Look for readings under another "
-                  "feature's name, a wrong certified value, a wrong radius of the tip, and joint order, signs and "
-                  "units of the arm's file; --model auto looks for errors that the model lacks. --loss cauchy lists "
-                  "single readings that do not fit; --accept-misfit writes the arm all the same",
-                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s"),
-      {}};
+Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where) {
+  std::string found = fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). ",
+                                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s");
+  if (!where.empty()) {
+    const std::size_t shown = std::min(where.size(), max_readings_named);
+    found += fmt::format(
+        "An arm fits all but {} reading{}: {}{}. Correct or remove {}. --loss cauchy identifies without "
+        "{}",
+        where.size(), where.size() == 1 ? "" : "s",
+        fmt::join(where.begin(), where.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+        shown < where.size() ? ", …" : "", where.size() == 1 ? "it" : "them", where.size() == 1 ? "it" : "them");
+  } else {
+    found +=
+        "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
+        "order, signs and units of the arm's file; --model auto looks for errors that the model lacks";
+  }
+  return {ErrorCode::NoSolution, found + "; --accept-misfit writes the arm all the same", {}};
 }
 
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {

@@ -21,9 +21,9 @@ std::vector<std::string> suspicions(const Identification& result, double length)
 /// Parameters with a weak prior, because the readings hardly determine them: their state, and a warning.
 void mark_weak(std::vector<std::string> names, Identification& result);
 
-/// Why a fit with misfits (identification/misfit.h) is refused: what they are, the feature or distance that stands out,
-/// what to do.
-Error misfit_error(const std::vector<std::string>& misfits, int attempts);
+/// Why a fit with misfits (identification/misfit.h) is refused: what they are, which readings are outliers of an arm
+/// that fits all others (where there is such an arm), what to do. `where` names the places of these readings.
+Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where = {});
 
 /// What was wrong with a fit that failed, where the arm that it began with shows it.
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start);
