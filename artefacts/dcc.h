@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,7 +13,8 @@
 
 namespace artcal {
 
-/// What a part of a certificate is called: its id, its names in all languages, its reference types.
+/// What a part of a certificate is called: its id, its names in all languages, its reference types; of names and of
+/// types the first hundred.
 struct DccLabels {
   std::string id;
   std::vector<std::string> names;
@@ -39,7 +41,8 @@ struct DccNumbers {
 /// A quantity of a certificate.
 struct DccQuantity {
   DccLabels labels;
-  std::vector<DccLabels> within;            ///< the lists and the result that it is part of, outermost first
+  /// Of the lists and the result that it is part of, outermost first; all quantities of a list share its labels.
+  std::vector<std::shared_ptr<const DccLabels>> within;
   std::vector<DccNumbers> representations;  ///< the same in several units (si:hybrid), or one; none with a `fault`
   std::optional<Error> fault;               ///< why its numbers are not read; the other quantities are
   int line = 0;

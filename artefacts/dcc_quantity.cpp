@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -13,6 +14,7 @@
 namespace artcal {
 namespace {
 
+constexpr std::size_t max_names = 100;
 constexpr std::array<std::string_view, 3> texts{"noQuantity", "charsXMLList", "chars"};
 constexpr std::array<std::string_view, 9> numbers{"real",        "realListXMLList",    "realList",
                                                   "list",        "constant",           "complex",
@@ -65,19 +67,19 @@ Expected<std::vector<DccNumbers>> read_representations(const XmlSource& source, 
   return representations;
 }
 
-void add_name(DccLabels& labels, const std::string& name) {
-  if (!name.empty() && std::find(labels.names.begin(), labels.names.end(), name) == labels.names.end()) {
-    labels.names.push_back(name);
+void add_name(std::vector<std::string>& names, const pugi::xml_node& node) {
+  if (std::string name = in_one_line_of_words(text_of(node)); !name.empty() && names.size() < max_names) {
+    names.push_back(std::move(name));
   }
 }
 
 // Some certificates name their quantities in si:label alone.
-void add_si_labels(const pugi::xml_node& parent, DccLabels& labels) {
+void add_si_labels(const pugi::xml_node& parent, std::vector<std::string>& names) {
   for (const pugi::xml_node& node : number_nodes(parent)) {
-    add_name(labels, in_one_line_of_words(text_of(child_of(node, "label"))));
-    add_name(labels, in_one_line_of_words(text_of(child_of(node, "labelXMLList"))));
+    add_name(names, child_of(node, "label"));
+    add_name(names, child_of(node, "labelXMLList"));
     if (local_name(node) == "hybrid") {
-      add_si_labels(node, labels);
+      add_si_labels(node, names);
     }
   }
 }
@@ -88,9 +90,10 @@ DccLabels dcc_labels(const pugi::xml_node& node) {
   DccLabels labels;
   labels.id = node.attribute("id").value();
   labels.ref_types = words_of(node.attribute("refType").value());
+  labels.ref_types.resize(std::min(labels.ref_types.size(), max_names));
   for (const pugi::xml_node& content : child_of(node, "name").children()) {
     if (local_name(content) == "content") {
-      add_name(labels, in_one_line_of_words(text_of(content)));
+      add_name(labels.names, content);
     }
   }
   return labels;
@@ -101,7 +104,10 @@ std::optional<DccQuantity> read_quantity(const XmlSource& source, const pugi::xm
     return std::nullopt;
   }
   DccQuantity quantity{dcc_labels(node), {}, {}, std::nullopt, source.line_of(node)};
-  add_si_labels(node, quantity.labels);
+  std::vector<std::string> names;
+  add_si_labels(node, names);
+  // The last name is the one that is shown: better the quantity's own than the label of one of its numbers.
+  quantity.labels.names.insert(quantity.labels.names.begin(), names.begin(), names.end());
   auto representations = read_representations(source, node);
   if (representations) {
     quantity.representations = std::move(*representations);

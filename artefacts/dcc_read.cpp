@@ -67,9 +67,9 @@ Expected<Certificate> read_certificate(const XmlSource& source, const pugi::xml_
 }
 
 // Quantities of dcc:data and dcc:list. Recursion ends: parse_xml() bounds the nesting.
-void collect(const XmlSource& source, const pugi::xml_node& parent, std::vector<DccLabels> within,
-             std::vector<DccQuantity>& found) {
-  within.push_back(dcc_labels(parent));
+void collect(const XmlSource& source, const pugi::xml_node& parent,
+             std::vector<std::shared_ptr<const DccLabels>> within, std::vector<DccQuantity>& found) {
+  within.push_back(std::make_shared<const DccLabels>(dcc_labels(parent)));
   for (const pugi::xml_node& node : parent.children()) {
     const std::string_view name = local_name(node);
     if (name == "list" || name == "data") {
@@ -112,8 +112,9 @@ Expected<DccCertificate> read_dcc(const TextFile& file) {
                         static_cast<bool>(child_of(root, "Signature")),
                         {}};
   for (const pugi::xml_node& measurement : child_of(root, "measurementResults").children()) {
+    const auto labels = std::make_shared<const DccLabels>(dcc_labels(measurement));
     for (const pugi::xml_node& node : child_of(measurement, "results").children()) {
-      collect(source, node, {dcc_labels(measurement)}, result.quantities);
+      collect(source, node, {labels}, result.quantities);
     }
   }
   return result;

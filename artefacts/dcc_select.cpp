@@ -28,7 +28,7 @@ bool is_at(const DccQuantity& quantity, std::string_view key) {
   std::string_view parts = key.substr(0, last);
   for (auto outer = quantity.within.rbegin(); outer != quantity.within.rend(); ++outer) {
     const auto slash = parts.rfind('/');
-    if (is_called(*outer, slash == std::string_view::npos ? parts : parts.substr(slash + 1))) {
+    if (is_called(**outer, slash == std::string_view::npos ? parts : parts.substr(slash + 1))) {
       if (slash == std::string_view::npos) {
         return true;
       }
@@ -85,8 +85,8 @@ std::string label_of(const DccLabels& labels) {
 
 std::string DccQuantity::text() const {
   std::string place;
-  for (const DccLabels& outer : within) {
-    if (const std::string label = label_of(outer); !label.empty()) {
+  for (const auto& outer : within) {
+    if (const std::string label = label_of(*outer); !label.empty()) {
       place += label + "/";
     }
   }

@@ -99,6 +99,9 @@ Expected<std::vector<DccUncertainty>> read_form(const XmlSource& source, const p
                     U.size(), k.size(), count),
         source.place_of(node));
   }
+  if (std::any_of(k.begin(), k.end(), [](double factor) { return factor <= 0.0; })) {
+    return bad_input("the uncertainty has a coverage factor that is not above zero", source.place_of(node));
+  }
   std::vector<DccUncertainty> all;
   for (std::size_t i = 0; i < count; ++i) {
     all.push_back({at(U, i), at(k, i), p.empty() ? std::nullopt : std::optional(at(p, i))});

@@ -178,6 +178,9 @@ TEST_F(DccTest, DoesNotReadNumbersThatAreNone) {
               HasSubstr("holds \"s:value\" twice"));
   EXPECT_THAT(fault(real("<s:expandedUnc><s:uncertainty>4e-4</s:uncertainty></s:expandedUnc>")),
               HasSubstr("the uncertainty holds 1 values and 0 coverage factors for 1 numbers"));
+  EXPECT_THAT(fault(real("<s:expandedUnc><s:uncertainty>4e-4</s:uncertainty><s:coverageFactor>0</s:coverageFactor>"
+                         "</s:expandedUnc>")),
+              HasSubstr("coverage factor that is not above zero"));
   EXPECT_THAT(fault("<d:quantity id=\"q\"><s:complex/></d:quantity>"),
               HasSubstr("holds \"s:complex\", which is not read"));
 }
@@ -259,8 +262,8 @@ TEST_F(DccTest, NamesTheQuantitiesThereAreWhereTheOneAskedForIsNot) {
                           "</d:list>";
   const auto same = read(certificate_with(two));
   EXPECT_THAT(find_quantity(*same, "d").error().text(), HasSubstr("2 quantities of the certificate"));
-  EXPECT_EQ(find_quantity(*same, "A/d").value().within.back().id, "A");
-  EXPECT_EQ(find_quantity(*same, "B/d").value().within.back().id, "B");
+  EXPECT_EQ(find_quantity(*same, "A/d").value().within.back()->id, "A");
+  EXPECT_EQ(find_quantity(*same, "B/d").value().within.back()->id, "B");
   EXPECT_FALSE(find_quantity(*same, "C/d"));
 }
 
