@@ -89,6 +89,9 @@ Expected<Subject> subject_of(const Request& request) {
         "(see artcal coupling --help)");
   }
   if (!is_arm && request.kind_is_given) {
+    if (const auto document = TomlDocument::parse(*file, "artcal-recording/1"); !document) {
+      return tl::unexpected(document.error());
+    }
     return wrong_usage("--kind is for an arm alone; this file is a recording, whose readings say what they are");
   }
   return is_arm ? made_up(request) : recorded(request);

@@ -79,7 +79,14 @@ Expected<Possible> possible_of(const Request& request) {
   if (!file) {
     return tl::unexpected(file.error());
   }
-  return schema_of(*file).starts_with("artcal-arm/") ? possible_of_arm(request) : possible_of_plan(request);
+  if (schema_of(*file).starts_with("artcal-arm/")) {
+    return possible_of_arm(request);
+  }
+  // Before anything is said of options: it may be no plan at all.
+  if (const auto document = TomlDocument::parse(*file, "artcal-plan/1"); !document) {
+    return tl::unexpected(document.error());
+  }
+  return possible_of_plan(request);
 }
 
 Expected<double> noise_of(const std::string& text, const char* option,

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/json_file.h"
 #include "app/output.h"
 #include "core/text_file.h"
 
@@ -150,11 +151,15 @@ Expected<MonteCarloCount> read_state(const std::string& path, const Json& made_f
   if (!file) {
     return tl::unexpected(file.error());
   }
-  const Json json = Json::parse(file->text, nullptr, false);
-  if (!json.is_object() || json.value("schema", Json()) != schema) {
-    return bad_input(fmt::format("this is no state of a Monte Carlo (\"{}\"), or it is cut off", schema), path);
+  const auto parsed = parse_json(file->text, fmt::format("state of a Monte Carlo (\"{}\")", schema), path);
+  if (!parsed) {
+    return tl::unexpected(parsed.error());
   }
-  if (json.value("made_from", Json()) != made_from) {
+  const Json& json = *parsed;
+  if (!json.is_object() || !json.contains("schema") || json.at("schema") != schema) {
+    return bad_input(fmt::format("this is no state of a Monte Carlo (\"{}\")", schema), path);
+  }
+  if (!json.contains("made_from") || json.at("made_from") != made_from) {
     return bad_input(
         "these trials were made from another recording, with other options or by another version of the program: they "
         "cannot be put together with the ones asked for",

@@ -7,7 +7,6 @@
 #include "app/readings_json.h"
 #include "app/result_json.h"
 #include "app/result_names.h"
-#include "core/text_file.h"
 
 namespace artcal {
 namespace {
@@ -131,25 +130,6 @@ Json interim_json(const InterimCheck& check) {
   return {{"drifts", drifts}, {"not_compared", check.not_compared}};
 }
 
-// Throws what the library throws where a field is absent or of another type.
-TestValue value_from(const Json& json) {
-  TestValue value;
-  const auto quantity = quantity_named(json.at("quantity").get<std::string>());
-  value.quantity = quantity.value_or(Quantity::LengthUni);
-  value.artefact = json.at("artefact").get<std::string>();
-  value.placement = json.at("placement").get<std::string>();
-  value.first = json.at("first").get<std::string>();
-  value.second = json.at("second").is_null() ? "" : json.at("second").get<std::string>();
-  value.repeat = json.at("repeat").get<std::string>();
-  value.certified = json.at("certified_mm").is_null() ? 0.0 : json.at("certified_mm").get<double>();
-  value.value = json.at("value_mm").get<double>();
-  value.set_aside = json.at("set_aside").get<bool>();
-  const Json& budget = json.at("budget");
-  value.budget = {budget.at("calibration_mm"), budget.at("expansion_mm"), budget.at("temperature_mm"),
-                  budget.at("alignment_mm"),   budget.at("fixture_mm"),   budget.at("form_mm")};
-  return value;
-}
-
 }  // namespace
 
 Json to_json(const Session& session, const VerificationResult& result) {
@@ -175,28 +155,6 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["warnings"] = verification.warnings;
   json["arm_shape"] = arm_shape_json(session.recording, session.arm);
   return json;
-}
-
-Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, const std::string& standard,
-                                                     std::vector<InputFile>& inputs) {
-  const auto file = read_text_file(path, std::size_t{256} << 20);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  inputs.push_back({path, file->sha256});
-  try {
-    const Json json = Json::parse(file->text);
-    if (json.at("kind") != "verification" || json.at("schema_version") != 1 || json.at("standard") != standard) {
-      return bad_input("this is no result of artcal verify by " + standard + " that this version reads", path);
-    }
-    std::vector<TestValue> values;
-    for (const Json& value : json.at("values")) {
-      values.push_back(value_from(value));
-    }
-    return values;
-  } catch (const Json::exception&) {
-    return bad_input("this is no result of artcal verify (--json): it cannot be read as one", path);
-  }
 }
 
 }  // namespace artcal

@@ -1,6 +1,6 @@
 #include "app/verification_run.h"
 
-#include "app/verification_json.h"
+#include "app/earlier_values.h"
 
 namespace artcal {
 namespace {

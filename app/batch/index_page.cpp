@@ -31,7 +31,8 @@ std::optional<double> number_of(const StoreValue& value) {
 IndexRow row_of(const StoreRow& row) {
   IndexRow shown;
   shown.recording = text_of(row[0]);
-  const long long exit_code = std::get<long long>(row[1]);
+  const auto* whole = std::get_if<long long>(&row[1]);
+  const long long exit_code = whole != nullptr ? *whole : static_cast<int>(ErrorCode::BadInput);
   shown.outcome = exit_code == 0 ? IndexOutcome::Done : exit_code == 1 ? IndexOutcome::NotShown : IndexOutcome::Failed;
   const std::string word = text_of(row[6]);
   const std::string conclusion = word.empty() ? "" : text_of(conclusion_named(word));
@@ -77,8 +78,11 @@ Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::
   }
   std::map<std::string, double> largest_of;
   for (const StoreRow& row : *shares) {
-    double& largest = largest_of[text_of(row[0])];
-    largest = std::max(largest, std::abs(*number_of(row[1])) / *number_of(row[2]));
+    const auto value = number_of(row[1]), limit = number_of(row[2]);
+    if (value && limit) {
+      double& largest = largest_of[text_of(row[0])];
+      largest = std::max(largest, std::abs(*value) / *limit);
+    }
   }
   std::vector<IndexRow> rows;
   for (const StoreRow& row : *found) {

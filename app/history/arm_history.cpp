@@ -1,44 +1,19 @@
 #include "app/history/arm_history.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "app/history/store_reader.h"
 #include "app/result_names.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-std::string text_of(const StoreValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : std::string();
-}
-double number_of(const StoreValue& value, double otherwise = 0.0) {
-  const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? *number : otherwise;
-}
-
-/// Rows of queries, and the first error there was.
-class Reader {
- public:
-  explicit Reader(Store& store) : store_(store) {}
-  std::vector<StoreRow> rows(const std::string& sql, const StoreRow& values = {}) {
-    auto rows = store_.rows(sql, values);
-    if (!rows) {
-      error_ = error_ ? error_ : std::optional(rows.error());
-      return {};
-    }
-    return std::move(*rows);
-  }
-  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
-
- private:
-  Store& store_;
-  std::optional<Error> error_;
-};
+std::string text_of(const StoreValue& value) { return StoreReader::text_or_empty(value); }
 
 std::string certificate_in_words(const StoreRow& row) {
   std::string text = fmt::format("{} {}", text_of(row[1]), in_quotes(text_of(row[0])));
@@ -51,7 +26,7 @@ std::string certificate_in_words(const StoreRow& row) {
   return text_of(row[4]).empty() ? text : text + ", " + text_of(row[4]);
 }
 
-HistoryEntry read_entry(Reader& reader, const StoreRow& row) {
+HistoryEntry read_entry(StoreReader& reader, const StoreRow& row) {
   HistoryEntry entry{text_of(row[0]), text_of(row[1]), text_of(row[2]), {}};
   for (const StoreRow& certificate :
        reader.rows("SELECT a.name, a.type, c.number, c.laboratory, c.issued_on FROM used_certificates u "
@@ -64,30 +39,55 @@ HistoryEntry read_entry(Reader& reader, const StoreRow& row) {
   return entry;
 }
 
-// Rows up to the diagonal, as the store has them.
-Eigen::MatrixXd matrix_of(const std::string& lower) {
-  const auto rows = nlohmann::json::parse(lower, nullptr, false);
-  const auto size = static_cast<Eigen::Index>(rows.is_array() ? rows.size() : 0);
-  Eigen::MatrixXd matrix(size, size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      matrix(i, j) = matrix(j, i) = rows.at(i).at(j).get<double>();
-    }
-  }
-  return matrix;
+bool is_identified(const CalibratedParameter& parameter) {
+  return parameter.state == result_name(ParameterState::Identified);
 }
 
-std::vector<CalibratedParameter> read_parameters(Reader& reader, const std::string& recording) {
+std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std::string& recording) {
   std::vector<CalibratedParameter> parameters;
   for (const StoreRow& row :
        reader.rows("SELECT name, unit, state, identified, u FROM parameters WHERE recording = :v0 ORDER BY position",
                    {recording})) {
-    parameters.push_back({text_of(row[0]), text_of(row[1]), text_of(row[2]), number_of(row[3]), number_of(row[4])});
+    CalibratedParameter parameter{text_of(row[0]), text_of(row[1]), text_of(row[2]), reader.number(row[3], "parameter"),
+                                  0.0};
+    if (is_identified(parameter)) {
+      parameter.u = reader.number(row[4], "standard uncertainty of a parameter");
+    } else if (parameter.state != result_name(ParameterState::Held) &&
+               parameter.state != result_name(ParameterState::Lost)) {
+      reader.fail(fmt::format("the state of a parameter is {}", in_quotes(parameter.state)));
+    }
+    parameters.push_back(std::move(parameter));
   }
   return parameters;
 }
 
-std::vector<TestValue> read_values(Reader& reader, const std::string& recording) {
+TestValue read_value(StoreReader& reader, const StoreRow& row) {
+  TestValue value;
+  const auto quantity = quantity_named(text_of(row[0]));
+  if (!quantity) {
+    reader.fail(fmt::format("the quantity of a value is {}", in_quotes(text_of(row[0]))));
+  }
+  value.quantity = quantity.value_or(Quantity::LengthUni);
+  value.artefact = text_of(row[1]);
+  value.placement = text_of(row[2]);
+  value.first = text_of(row[3]);
+  value.second = text_of(row[4]);
+  value.repeat = text_of(row[5]);
+  value.certified = reader.optional_number(row[6], "certified value").value_or(0.0);
+  value.measured = reader.number(row[7], "measured value");
+  value.value = reader.number(row[8], "value");
+  std::array<double, 6> u{};
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    u[i] = reader.number(row[9 + i], "standard uncertainty of a value");
+  }
+  value.budget = {u[0], u[1], u[2], u[3], u[4], u[5]};
+  value.set_aside = reader.truth(row[15], "set_aside");
+  value.limit = reader.optional_number(row[16], "limit");
+  value.verdict = verdict_named(text_of(row[17]));
+  return value;
+}
+
+std::vector<TestValue> read_values(StoreReader& reader, const std::string& recording) {
   std::vector<TestValue> values;
   for (const StoreRow& row : reader.rows(
            "SELECT quantity, artefact, placement, feature, other_feature, repetition, certified_mm, measured_mm, "
@@ -96,38 +96,35 @@ std::vector<TestValue> read_values(Reader& reader, const std::string& recording)
            "limit_mm, verdict "
            "FROM verification_values WHERE recording = :v0 ORDER BY position",
            {recording})) {
-    TestValue value;
-    value.quantity = quantity_named(text_of(row[0])).value_or(Quantity::LengthUni);
-    value.artefact = text_of(row[1]);
-    value.placement = text_of(row[2]);
-    value.first = text_of(row[3]);
-    value.second = text_of(row[4]);
-    value.repeat = text_of(row[5]);
-    value.certified = number_of(row[6]);
-    value.measured = number_of(row[7]);
-    value.value = number_of(row[8]);
-    value.budget = {number_of(row[9]),  number_of(row[10]), number_of(row[11]),
-                    number_of(row[12]), number_of(row[13]), number_of(row[14])};
-    value.set_aside = std::get<long long>(row[15]) != 0;
-    if (const auto* limit = std::get_if<double>(&row[16])) {
-      value.limit = *limit;
-    }
-    value.verdict = verdict_named(text_of(row[17]));
-    values.push_back(std::move(value));
+    values.push_back(read_value(reader, row));
   }
   return values;
 }
 
+Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
+  Calibration calibration;
+  calibration.entry = read_entry(reader, row);
+  reader.set_recording(calibration.entry.recording);
+  calibration.rms_before = reader.number(row[3], "rms before");
+  calibration.rms_after = reader.number(row[4], "rms after");
+  calibration.parameters = read_parameters(reader, calibration.entry.recording);
+  const auto identified = std::count_if(calibration.parameters.begin(), calibration.parameters.end(), is_identified);
+  calibration.covariance = reader.covariance(row[5], static_cast<std::size_t>(identified));
+  return calibration;
+}
+
 constexpr const char* in_order = " WHERE r.arm = :v0 ORDER BY coalesce(r.measured_on, ''), r.name, r.recording";
 
-void read_calibrations(Reader& reader, ArmHistory& history) {
+void read_calibrations(StoreReader& reader, ArmHistory& history) {
   for (const StoreRow& row : reader.rows(
            std::string("SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance "
                        "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
                in_order,
            {history.arm})) {
-    history.calibrations.push_back({read_entry(reader, row), number_of(row[3]), number_of(row[4]),
-                                    read_parameters(reader, text_of(row[0])), matrix_of(text_of(row[5]))});
+    history.calibrations.push_back(read_calibration(reader, row));
+  }
+  if (reader.error()) {
+    return;  // covariances that do not fit their parameters are not computed with
   }
   for (std::size_t i = 1; i < history.calibrations.size(); ++i) {
     history.calibration_steps.push_back(step_between(history.calibrations[i - 1], history.calibrations[i]));
@@ -153,15 +150,19 @@ std::map<std::string, std::vector<std::size_t>> by_standard(const std::vector<Pa
   return places;
 }
 
-void read_verifications(Reader& reader, ArmHistory& history) {
+void read_verifications(StoreReader& reader, ArmHistory& history) {
   auto& all = history.verifications;
   for (const StoreRow& row :
        reader.rows(std::string("SELECT r.recording, r.measured_on, r.name, v.standard, v.conclusion "
                                "FROM current_recordings r JOIN verifications v ON v.recording = r.recording") +
                        in_order,
                    {history.arm})) {
+    reader.set_recording(text_of(row[0]));
     all.push_back({read_entry(reader, row), text_of(row[3]), conclusion_named(text_of(row[4])),
                    read_values(reader, text_of(row[0]))});
+  }
+  if (reader.error()) {
+    return;
   }
   for (const auto& [standard, places] : by_standard(all)) {
     for (std::size_t i = 1; i < places.size(); ++i) {
@@ -173,7 +174,7 @@ void read_verifications(Reader& reader, ArmHistory& history) {
   }
 }
 
-std::string arms_in_words(Reader& reader) {
+std::string arms_in_words(StoreReader& reader) {
   std::string text;
   for (const StoreRow& row : reader.rows("SELECT arm FROM arms ORDER BY arm LIMIT 12")) {
     text += (text.empty() ? "" : ", ") + in_quotes(text_of(row[0]));
@@ -184,7 +185,7 @@ std::string arms_in_words(Reader& reader) {
 }  // namespace
 
 Expected<ArmHistory> read_history(Store& store, const std::string& arm) {
-  Reader reader(store);
+  StoreReader reader(store);
   ArmHistory history;
   history.arm = arm;
   const auto whole = store.in_snapshot([&] {
@@ -194,13 +195,13 @@ Expected<ArmHistory> read_history(Store& store, const std::string& arm) {
   if (!whole) {
     return tl::unexpected(whole.error());
   }
-  if (history.calibrations.empty() && history.verifications.empty() && !reader.error()) {
+  if (reader.error()) {
+    return tl::unexpected(*reader.error());
+  }
+  if (history.calibrations.empty() && history.verifications.empty()) {
     return bad_input(
         fmt::format("no result is of an arm called {}; the store has {}", in_quotes(arm), arms_in_words(reader)),
         store.name());
-  }
-  if (reader.error()) {
-    return tl::unexpected(*reader.error());
   }
   return history;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -93,16 +95,16 @@ void write_placements(const Json& result, Sheet& sheet) {
                                                         {"after"},
                                                         {"largest after"},
                                                         {"left out", true, false, false, true}});
-  const Json& left_out = result.at("left_out");
+  std::map<std::pair<std::string, std::string>, const Json*> left_out;
+  for (const Json& left : result.at("left_out")) {
+    left_out.emplace(std::pair(text_in(left, "artefact"), text_in(left, "placement")), &left);
+  }
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Json& row = after[i];
-    const auto left = std::find_if(left_out.begin(), left_out.end(), [&](const Json& other) {
-      return text_in(other, "artefact") == text_in(row, "artefact") &&
-             text_in(other, "placement") == text_in(row, "placement");
-    });
-    const std::string left_rms = left == left_out.end()          ? "–"
-                                 : left->at("refusal").is_null() ? mm(left->at("rms_mm"))
-                                                                 : "not possible";
+    const auto left = left_out.find({text_in(row, "artefact"), text_in(row, "placement")});
+    const std::string left_rms = left == left_out.end()                  ? "–"
+                                 : left->second->at("refusal").is_null() ? mm(left->second->at("rms_mm"))
+                                                                         : "not possible";
     table.add({shown(text_in(row, "artefact")), shown(text_in(row, "placement")),
                fmt::format("{}", row.at("readings").get<std::size_t>()), mm(before.at(i).at("rms_mm")),
                mm(row.at("rms_mm")), mm(row.at("maximum_mm")), left_rms});

@@ -1,7 +1,10 @@
 #include "app/report/lengths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -13,21 +16,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-bool is_same(const Json& a, const Json& b) {
-  return a.at("artefact") == b.at("artefact") && a.at("placement") == b.at("placement") &&
-         a.at("first") == b.at("first") && a.at("second") == b.at("second");
+// A length by its artefact, its placement and its two ends.
+using LengthKey = std::array<std::string, 4>;
+LengthKey key_of(const Json& length) {
+  return {text_in(length, "artefact"), text_in(length, "placement"), text_in(length, "first"),
+          text_in(length, "second")};
 }
 
-// By an arm identified without the placement; null where there is none.
-const Json* left_out_length(const Json& left_out, const Json& length) {
+// Lengths by an arm identified without their placement.
+std::map<LengthKey, const Json*> left_out_lengths(const Json& left_out) {
+  std::map<LengthKey, const Json*> lengths;
   for (const Json& left : left_out) {
-    for (const Json& other : left.at("lengths")) {
-      if (is_same(other, length)) {
-        return &other;
-      }
+    for (const Json& length : left.at("lengths")) {
+      lengths.emplace(key_of(length), &length);
     }
   }
-  return nullptr;
+  return lengths;
 }
 
 Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
@@ -76,10 +80,12 @@ void write_length_errors(const Json& identification, Sheet& sheet) {
                      {"before"},
                      {"after"},
                      {"left out", true, false, false, true}});
-  std::vector<const Json*> left_out;
+  const auto without_placement = left_out_lengths(identification.at("left_out"));
+  std::vector<const Json*> left_out;  // null where there is none
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Json& length = after[i];
-    left_out.push_back(left_out_length(identification.at("left_out"), length));
+    const auto left = without_placement.find(key_of(length));
+    left_out.push_back(left == without_placement.end() ? nullptr : left->second);
     table.add({shown(text_in(length, "placement")),
                shown(text_in(length, "first")) + " – " + shown(text_in(length, "second")),
                mm(length.at("certified_mm")), signed_mm(before.at(i).at("error_mm")), signed_mm(length.at("error_mm")),

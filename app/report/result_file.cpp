@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/json_file.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 
@@ -34,7 +35,11 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
   if (!file) {
     return tl::unexpected(file.error());
   }
-  Json json = Json::parse(file->text, nullptr, false);
+  auto parsed = parse_json(file->text, "result of artcal, as --json writes it", path);
+  if (!parsed) {
+    return tl::unexpected(parsed.error());
+  }
+  Json& json = *parsed;
   if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string() || !json.contains("schema_version")) {
     return bad_input("this is no result of artcal, expected a file that --json wrote", path);
   }

@@ -103,16 +103,18 @@ DrawnLengths drawn_lengths(const ValuesOfQuantity& quantity, const DrawnUnit& un
 
 std::vector<ValuesOfQuantity> by_quantity(const Json& values) {
   std::vector<ValuesOfQuantity> quantities;
+  std::map<std::string, std::size_t> places;
   for (const Json& value : values) {
     const std::string name = value.at("quantity");
-    auto found = std::find_if(quantities.begin(), quantities.end(), [&](const auto& q) { return q.quantity == name; });
-    if (found == quantities.end()) {
-      found = quantities.insert(found, {name, {}, nullptr});
+    const auto [place, is_new] = places.try_emplace(name, quantities.size());
+    if (is_new) {
+      quantities.push_back({name, {}, nullptr});
     }
-    found->values.push_back(&value);
+    ValuesOfQuantity& of_quantity = quantities[place->second];
+    of_quantity.values.push_back(&value);
     const bool counts = !value.at("set_aside").get<bool>();
-    if (counts && (found->worst == nullptr || severity(value) > severity(*found->worst))) {
-      found->worst = &value;
+    if (counts && (of_quantity.worst == nullptr || severity(value) > severity(*of_quantity.worst))) {
+      of_quantity.worst = &value;
     }
   }
   return quantities;
