@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <glog/logging.h>
 
 #include "app/command.h"
+#include "app/store/where.h"
 #include "app/version.h"
 #include "core/in_quotes.h"
 
@@ -65,8 +67,12 @@ int run(int argc, char** argv) {
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return said_all(parser.exit(error) == 0 ? 0 : wrong_usage);
+    std::ostringstream said;
+    const int exit_code = parser.exit(error, std::cout, said);
+    std::cerr << artcal::without_passwords(said.str());
+    return said_all(exit_code == 0 ? 0 : wrong_usage);
   }
+  artcal::hide_passwords(argc, argv);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (parser.got_subcommand(commands[i].name)) {
       return said_all(runs[i]());

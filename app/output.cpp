@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "app/permitted.h"
+#include "app/store/where.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -122,7 +123,7 @@ Expected<void> write_json(const std::string& path, const nlohmann::ordered_json&
 }
 
 int report_error(const Error& error) {
-  fmt::print(stderr, "artcal: {}\n", error.text());
+  fmt::print(stderr, "artcal: {}\n", without_passwords(error.text()));
   return static_cast<int>(error.code);
 }
 

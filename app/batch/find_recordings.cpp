@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/store/postgresql_url.h"
 #include "core/hash.h"
 #include "core/in_quotes.h"
 
@@ -60,6 +61,9 @@ std::vector<std::string> matches_of(const std::string& pattern) {
 
 Expected<void> take(const std::string& named, std::vector<std::string>& found) {
   std::error_code ignored;
+  if (is_postgresql_url(named)) {
+    return wrong_usage("the address of a server was given as a path; a store is named with --store");
+  }
   if (fs::is_directory(named, ignored)) {
     return search(named, found);
   }

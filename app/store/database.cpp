@@ -18,7 +18,9 @@
 namespace artcal {
 namespace {
 
-constexpr int wait_seconds = 60;
+// Far longer than any statement of a batch, and than a batch pauses within a transaction.
+constexpr int statement_minutes = 10;
+constexpr int idle_minutes = 5;
 
 /// What SOCI binds a row's values from; their places must not move.
 class Buffers {
@@ -87,8 +89,33 @@ StoreValue value_at(const soci::row& row, std::size_t i) {
   }
 }
 
+bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+// What to do about a message of SQLite or PostgreSQL; the message itself where there is nothing to add.
+std::string explained(const std::string& text, int lock_wait_seconds) {
+  if (holds(text, "database is locked") || holds(text, "lock timeout")) {
+    return fmt::format(
+        "another process has kept it locked for {} s: wait for it, or end it if it was stopped, and run this again",
+        lock_wait_seconds);
+  }
+  if (holds(text, "statement timeout")) {
+    return fmt::format("the server did not finish a statement in {} minutes; look at its load and run this again",
+                       statement_minutes);
+  }
+  if (holds(text, "idle-in-transaction") || holds(text, "server closed the connection")) {
+    return fmt::format(
+        "the server ended the connection: it was stopped, or this process stood still for {} minutes in the middle of "
+        "its "
+        "work; run this again",
+        idle_minutes);
+  }
+  return holds(text, "disk is full")        ? "the disk is full"
+         : holds(text, "readonly database") ? "the file, or the disk that it is on, can only be read"
+                                            : text;
+}
+
 // One line of what the database says.
-std::string reason_of(const std::exception& error) {
+std::string reason_of(const std::exception& error, int lock_wait_seconds) {
   const auto* of_soci = dynamic_cast<const soci::soci_error*>(&error);
   std::string text = of_soci != nullptr ? of_soci->get_error_message() : error.what();
   for (const std::string_view prefix :
@@ -101,22 +128,24 @@ std::string reason_of(const std::exception& error) {
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) {
     text.pop_back();
   }
-  return in_one_line(
-      text.find("database is locked") != std::string::npos
-          ? fmt::format("another process has kept it locked for {} s; wait for it and run this again", wait_seconds)
-      : text.find("disk is full") != std::string::npos      ? "the disk is full"
-      : text.find("readonly database") != std::string::npos ? "the file, or the disk that it is on, can only be read"
-                                                            : text);
+  return in_one_line(explained(text, lock_wait_seconds));
 }
 
 // Everything that SOCI throws leaves as DatabaseError.
 template <typename Work>
-auto translated(Work work) {
+auto translated(int lock_wait_seconds, Work work) {
   try {
     return work();
   } catch (const soci::soci_error& error) {
-    throw DatabaseError(reason_of(error));
+    throw DatabaseError(reason_of(error, lock_wait_seconds));
   }
+}
+
+// A writer must not keep the others out for ever; what only reads keeps nobody out.
+void limit_waiting(soci::session& session, int lock_wait_seconds) {
+  session << fmt::format("SET lock_timeout TO '{} s'", lock_wait_seconds);
+  session << fmt::format("SET statement_timeout TO '{} min'", statement_minutes);
+  session << fmt::format("SET idle_in_transaction_session_timeout TO '{} min'", idle_minutes);
 }
 
 // Why a file cannot be made, which SQLite does not tell; empty where it is there, or could be.
@@ -146,6 +175,7 @@ struct Database::Connection {
   soci::session session;
   bool is_postgresql = false;
   std::string name;
+  int lock_wait_seconds = lock_wait;
 };
 
 Database::Database(std::unique_ptr<Connection> connection) : connection_(std::move(connection)) {}
@@ -156,7 +186,7 @@ Database::~Database() = default;
 bool Database::is_postgresql() const { return connection_->is_postgresql; }
 const std::string& Database::name() const { return connection_->name; }
 
-Expected<Database> Database::open(const std::string& where, Access access) {
+Expected<Database> Database::open(const std::string& where, Access access, int lock_wait_seconds) {
   auto place = understand_store(where);
   if (!place) {
     return tl::unexpected(place.error());
@@ -164,26 +194,31 @@ Expected<Database> Database::open(const std::string& where, Access access) {
   auto connection = std::make_unique<Connection>();
   connection->is_postgresql = place->is_postgresql;
   connection->name = place->name;
+  connection->lock_wait_seconds = lock_wait_seconds;
   std::error_code ignored;
   if (!place->is_postgresql && access == Access::Read && !std::filesystem::exists(place->file, ignored)) {
     return bad_input("there is no such store; artcal batch --store makes one", place->name);
   }
   try {
     if (place->is_postgresql) {
-      connection->session.open(*soci::factory_postgresql(), where);
+      connection->session.open(*soci::factory_postgresql(), place->connection);
       connection->session << "SET client_min_messages TO warning";
+      if (access == Access::Write) {
+        limit_waiting(connection->session, lock_wait_seconds);
+      }
     } else {
       connection->session.open(*soci::factory_sqlite3(),
-                               fmt::format("dbname=\"{}\" timeout={}", place->file, wait_seconds));
+                               fmt::format("dbname=\"{}\" timeout={}", place->file, lock_wait_seconds));
       connection->session << "PRAGMA foreign_keys = ON";
       // Reads the first page: what is no database is found now.
       connection->session << "PRAGMA user_version";
     }
   } catch (const std::exception& error) {
     const std::string reason = place->is_postgresql ? "" : why_no_file(place->file);
-    return bad_input(fmt::format("the store cannot be opened: {}{}", reason.empty() ? reason_of(error) : reason,
-                                 to_be_undone(place->file)),
-                     place->name);
+    return bad_input(
+        fmt::format("the store cannot be opened: {}{}", reason.empty() ? reason_of(error, lock_wait_seconds) : reason,
+                    to_be_undone(place->file)),
+        place->name);
   }
   return Database(std::move(connection));
 }
@@ -192,7 +227,7 @@ void Database::run(const std::string& sql, const StoreRow& values) { run_for(sql
 
 void Database::run_for(const std::string& sql, const std::vector<StoreColumn>& columns,
                        const std::vector<StoreRow>& rows) {
-  translated([&] {
+  translated(connection_->lock_wait_seconds, [&] {
     Buffers buffers(columns);
     soci::statement statement(connection_->session);
     buffers.bind_to(statement);
@@ -207,7 +242,7 @@ void Database::run_for(const std::string& sql, const std::vector<StoreColumn>& c
 }
 
 void Database::query(const std::string& sql, const StoreRow& values, const std::function<void(StoreRow)>& take) {
-  translated([&] {
+  translated(connection_->lock_wait_seconds, [&] {
     Buffers buffers(columns_of(values));
     buffers.fill(values);
     soci::row found;

@@ -18,9 +18,13 @@ class Database {
     Read,   ///< what is not there is not made
     Write,  ///< a file that is not there is made
   };
+  /// How long a writer waits for another one, in seconds.
+  static constexpr int lock_wait = 60;
+
   /// `where` is postgresql://… or the path of a file. Refused: a file that is no database, a server that does not
-  /// answer.
-  static Expected<Database> open(const std::string& where, Access access);
+  /// answer. On PostgreSQL no statement of a writer takes longer than ten minutes, and a transaction in which nothing
+  /// happens for five minutes, because its process was stopped, is ended by the server.
+  static Expected<Database> open(const std::string& where, Access access, int lock_wait_seconds = lock_wait);
 
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
@@ -38,7 +42,7 @@ class Database {
   std::vector<StoreRow> rows(const std::string& sql, const StoreRow& values = {});
 
   /// Begins a transaction that may write, does the work, commits; rolls back if the work throws. Waits for others
-  /// that write to the same store, for a minute.
+  /// that write to the same store, for `lock_wait_seconds`.
   void in_transaction(const std::function<void()>& work);
   /// What the work reads is the content of one moment, whoever writes meanwhile. On SQLite others cannot commit until
   /// it is done.

@@ -21,6 +21,12 @@ auto attempt(const Database& database, const char* what, Work work) -> Expected<
     }
   } catch (const DatabaseError& error) {
     return bad_input(fmt::format("the store cannot be {}: {}", what, error.what()), database.name());
+  } catch (const std::bad_variant_access&) {
+    return bad_input(
+        fmt::format("the store cannot be {}: a column holds values of another kind than artcal batch writes "
+                    "there; it is damaged",
+                    what),
+        database.name());
   }
 }
 
@@ -93,8 +99,8 @@ constexpr std::array parts_of_a_result{
 
 }  // namespace
 
-Expected<Store> Store::open(const std::string& where, Database::Access access) {
-  auto database = Database::open(where, access);
+Expected<Store> Store::open(const std::string& where, Database::Access access, int lock_wait_seconds) {
+  auto database = Database::open(where, access, lock_wait_seconds);
   if (!database) {
     return tl::unexpected(database.error());
   }

@@ -36,7 +36,8 @@ enum class Known { Keep, Replace };
 class Store {
  public:
   /// Makes or brings up to date what is to be written to.
-  static Expected<Store> open(const std::string& where, Database::Access access);
+  static Expected<Store> open(const std::string& where, Database::Access access,
+                              int lock_wait_seconds = Database::lock_wait);
 
   /// Nothing where the store does not know the path.
   Expected<std::optional<StoredFile>> file(const std::string& path);

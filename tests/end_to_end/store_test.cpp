@@ -1,5 +1,7 @@
 // The store as databases see it: every question of docs/store.md, on SQLite and on PostgreSQL.
+#include <arpa/inet.h>
 #include <sqlite3.h>
+#include <sys/socket.h>
 
 #include <cstdio>
 #include <sstream>
@@ -140,6 +142,77 @@ TEST_F(OnPostgresql, ManyWritersAndMerging) {
   ASSERT_TRUE(server_.make_database("other"));
   EXPECT_EQ(run({"store", "merge", server_.url("other"), "back.sqlite"}).exit_code, 0);
   EXPECT_EQ(dump(server_.url("other")), dump("all.sqlite"));
+}
+
+TEST_F(OnPostgresql, EveryDocumentedFormOfUrlIsTheSameStore) {
+  file_away_quick_ones(1);
+  ASSERT_TRUE(server_.make_database("lab"));
+  ASSERT_EQ(batch({"--store", server_.url("lab"), "-q"}).exit_code, 0);
+  const std::string stored = dump(server_.url("lab"));
+  std::string host;
+  for (const char c : server_.socket_folder()) {
+    host += c == '/' ? "%2F" : std::string(1, c);
+  }
+  for (const std::string& url :
+       {"postgresql://artcal@" + host + "/lab", "postgres://artcal:a%20secret%27%5C@" + host + ":5432/lab",
+        "postgresql://artcal@/lab?host=" + host, "postgresql:///?host=" + host + "&user=artcal&dbname=lab",
+        "postgresql://artcal:secret@" + host + ":5432," + host + ":1/lab?application_name=two%20words",
+        "POSTGRESQL://artcal@" + host + "/%6cab?connect_timeout=5"}) {
+    const Ended ended = run({"store", "dump", url});
+    EXPECT_EQ(ended.exit_code, 0) << url << ended.err;
+    EXPECT_EQ(ended.out, stored) << url;
+    EXPECT_EQ(batch({"--store", url, "--resume", "-q"}).exit_code, 0) << url;
+  }
+}
+
+TEST_F(StoreTest, APasswordIsInNoMessageWhateverTheUrl) {
+  file_away_quick_ones(1);
+  for (const char* url :
+       {"postgresql://u:p@secret@127.0.0.1:1/a?x", "postgresql://u:100%secret@127.0.0.1:1/a?connect_timeout=1",
+        "postgresql://u:sec/secret@127.0.0.1:1/a?connect_timeout=1",
+        "postgresql://u@127.0.0.1:1/a?sslpassword=secret&password=secret",
+        "postgresql://u:secret@[::1/a?connect_timeout=1", "Postgresql://u:secret@127.0.0.1:1/a",
+        "postgresql://u:secret@127.0.0.1:1/a?wrong=1", "mysql://u:secret@h/a", "host=h password=secret"}) {
+    for (const auto& arguments :
+         std::vector<std::vector<std::string>>{{"batch", "archive", "--store", url, "--json", "b.json"},
+                                               {"batch", url, "--store", "s.sqlite", "--json", "b.json"},
+                                               {"history", "arm", "--store", url},
+                                               {"store", "dump", url},
+                                               {"store", "merge", "s.sqlite", url},
+                                               {"identify", url},
+                                               {"batch", "archive", "--stor", url}}) {
+      const Ended ended = run(arguments);
+      EXPECT_THAT(ended.exit_code, ::testing::AnyOf(0, 2, 3)) << url;
+      for (const std::string& text : {ended.out, ended.err, text_of("b.json"), dump("s.sqlite")}) {
+        EXPECT_THAT(text, ::testing::Not(HasSubstr("secret"))) << url;
+      }
+    }
+  }
+}
+
+// A server that takes connections and says nothing.
+TEST_F(StoreTest, APasswordIsNotInTheListOfProcesses) {
+  const int server = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof(address);
+  ASSERT_EQ(::bind(server, reinterpret_cast<const sockaddr*>(&address), size), 0);
+  ASSERT_EQ(::listen(server, 1), 0);
+  ASSERT_EQ(::getsockname(server, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  file_away_quick_ones(1);
+  const pid_t program = start(
+      {"batch", "archive", "--store", fmt::format("postgresql://u:secret@127.0.0.1:{}/a", ntohs(address.sin_port))});
+  std::string listed;
+  for (int i = 0; i < 200 && listed.find("u:***@") == std::string::npos; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    listed = testing::read_all(fmt::format("/proc/{}/cmdline", program));
+  }
+  EXPECT_THAT(listed, HasSubstr("postgresql://u:***@127.0.0.1:"));
+  EXPECT_THAT(listed, ::testing::Not(HasSubstr("secret")));
+  ::kill(program, SIGKILL);
+  (void)wait_for(program);
+  ::close(server);
 }
 
 TEST_F(OnPostgresql, AServerThatDoesNotAnswerIsToldOfWithoutThePassword) {

@@ -53,6 +53,8 @@ class PostgresqlServer {
   [[nodiscard]] std::string url(const std::string& database = "postgres") const {
     return fmt::format("postgresql:///{}?host={}&user=artcal", database, folder_);
   }
+  /// Where its socket is, for URLs of other forms; the role is "artcal", with any password.
+  [[nodiscard]] const std::string& socket_folder() const { return folder_; }
   [[nodiscard]] bool make_database(const std::string& name) const {
     return call(fmt::format("{}/createdb -h {} -U artcal {}", bin_, folder_, name));
   }
