@@ -8,8 +8,8 @@
 namespace artcal {
 
 struct RobustOptions {
-  /// A point farther from the feature than this many standard deviations of the noise is an outlier; more of
-  /// them where few points tell the noise (Student), so that the chance of losing a good one stays the same.
+  /// A sound point is lost as rarely as a normal variable is beyond this many standard deviations. Where few points tell
+  /// the noise the limit itself is wider (Student).
   double limit = 4.0;
   /// Largest share of the points that may be outliers; in (0, 0.5].
   double share = 0.5;
@@ -25,13 +25,13 @@ struct RobustFitted {
 
 /// A least-squares fit of the points that belong to the feature, and the list of those that do not.
 ///
-/// Subsets of as many points as the feature needs are fitted; the one from which `1 - share` of all points
-/// have the smallest distance gives the scale of the noise (least median of squares; Rousseeuw, Leroy
-/// 1987). Points beyond `limit` of it are left out, the rest fitted, and the noise and the list made
-/// anew until the list stands. With FitOptions::noise that noise is the scale.
+/// Subsets of as many points as the feature needs are fitted; the one that most points are near to (least median of
+/// squares; Rousseeuw, Leroy 1987) is where a forward search starts (Hadi, Simonoff 1993): the nearest point is added
+/// and the feature fitted anew, until the nearest of the others is farther than chance explains. With
+/// FitOptions::noise that noise is the scale. Equal points are one point. docs/fitting.md says what few points prove.
 ///
-/// Errors as `fit`; NoSolution too where no subset makes a feature that more than half of the points agree
-/// on. Criteria other than least squares, which listen to extremes only, are a Usage error.
+/// Errors as `fit`; BadInput too where so few points differ that none could be told from the rest, NoSolution where no
+/// subset makes a feature. Criteria other than least squares, which listen to extremes only, are a Usage error.
 template <typename F>
 Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& options = {},
                                      const RobustOptions& robust = {});
