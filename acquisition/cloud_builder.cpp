@@ -129,8 +129,8 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
     largest = std::max({largest, high_[i], -low_[i]});
   }
   if (size_ > 1 && span == 0.0) {
-    return bad_input(fmt::format("all {} points are the same, ({:.6g}, {:.6g}, {:.6g}) mm; nothing was scanned", size_,
-                                 points_(0, 0), points_(1, 0), points_(2, 0)),
+    return bad_input(fmt::format("all {} points are the same, ({:.10g}, {:.10g}, {:.10g}) mm; nothing was scanned",
+                                 size_, points_(0, 0), points_(1, 0), points_(2, 0)),
                      name);
   }
   PointCloud cloud{std::move(points_),  std::move(joints_),

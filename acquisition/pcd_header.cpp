@@ -76,8 +76,9 @@ Expected<void> read_fields(const PcdEntries& entries, PcdHeader& header) {
       }
       field.count = *count;
     }
-    if (field.count == 0 || field.count > largest_record) {
-      return bad_input(fmt::format("the field {} has COUNT {}, expected 1 to {}", in_quotes(field.name), field.count,
+    // A field of COUNT 0, as drivers write it for padding, takes no bytes.
+    if (field.count > largest_record) {
+      return bad_input(fmt::format("the field {} has COUNT {}, expected 0 to {}", in_quotes(field.name), field.count,
                                    largest_record),
                        entries.at("COUNT").where);
     }

@@ -13,8 +13,12 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{16} << 30;
 
 // Formats of scans that are not read, by their first bytes.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> others{{{"LASF", "LAS"},
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> others{{{"LASF", "LAS"},
                                                                                {"ASTM-E57", "E57"},
+                                                                               {"\xFF\xFE", "text in UTF-16"},
+                                                                               {"\xFE\xFF", "text in UTF-16"},
                                                                                {"PK\x03\x04", "a ZIP or XLSX archive"},
                                                                                {"\x1f\x8b", "compressed with gzip"},
                                                                                {"solid ", "STL"}}};
@@ -52,20 +56,35 @@ Expected<void> check_text(const FileBytes& file) {
 
 }  // namespace
 
+Expected<ReadCloud> parse_cloud(const FileBytes& file, const CloudUnits& units, const TextColumns& columns) {
+  if (file.bytes.starts_with(byte_order_mark)) {
+    return parse_cloud({file.path, file.bytes.substr(byte_order_mark.size()), file.sha256}, units, columns);
+  }
+  const bool ply = looks_like_ply(file.bytes);
+  if (!ply && !looks_like_pcd(file.bytes)) {
+    return check_text(file).and_then([&] { return parse_xyz(file, units, columns); });
+  }
+  if (columns) {
+    return bad_input("columns are stated by number, but the file is PCD or PLY, which names its fields; leave them out",
+                     file.path.string());
+  }
+  return (ply ? parse_ply(file, units) : parse_pcd(file, units)).map([](PointCloud&& cloud) {
+    return ReadCloud{std::move(cloud), "the fields x, y, z"};
+  });
+}
+
+Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns) {
+  return read_file_bytes(path, most_bytes, "a point file").and_then([&](const FileBytes& file) {
+    return parse_cloud(file, units, columns);
+  });
+}
+
 Expected<PointCloud> parse_point_cloud(const FileBytes& file, const CloudUnits& units) {
-  if (looks_like_ply(file.bytes)) {
-    return parse_ply(file, units);
-  }
-  if (looks_like_pcd(file.bytes)) {
-    return parse_pcd(file, units);
-  }
-  return check_text(file).and_then([&] { return parse_xyz(file, units); });
+  return parse_cloud(file, units, std::nullopt).map([](ReadCloud&& read) { return std::move(read.cloud); });
 }
 
 Expected<PointCloud> read_point_cloud(const std::filesystem::path& path, const CloudUnits& units) {
-  return read_file_bytes(path, most_bytes, "a point file").and_then([&](const FileBytes& file) {
-    return parse_point_cloud(file, units);
-  });
+  return read_cloud(path, units).map([](ReadCloud&& read) { return std::move(read.cloud); });
 }
 
 }  // namespace artcal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,9 @@ namespace artcal {
 /// that begin with # or // are passed over.
 class TextRows {
  public:
-  /// What lies between two fields: any number of blanks and tabs, or one comma with or without blanks.
-  enum class Separator { Blanks, Comma };
+  /// What lies between two fields: any number of blanks and tabs, or one comma or semicolon with or without blanks.
+  /// Between semicolons a number may have a decimal comma, as spreadsheets of many countries write it.
+  enum class Separator { Blanks, Comma, Semicolon };
 
   /// The text must outlive the rows. `first_line` is the number that the text's first line has in the file.
   TextRows(std::string_view text, std::string path, int first_line, Separator separator)
@@ -22,25 +24,32 @@ class TextRows {
 
   /// Takes the next row; false at the end.
   bool next();
+  /// Splits the row at hand and those to come in this way.
+  void separate_by(Separator separator);
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
   /// What is behind the current row, from the start of a line, and that line's number.
   [[nodiscard]] std::string_view rest() const { return rest_; }
   [[nodiscard]] int next_line() const { return next_line_; }
 
-  /// The numbers in `columns` of this row; NaN and infinity are numbers here. Refused: fewer columns than
-  /// that, anything that is not a number or too large for a double.
-  Expected<void> numbers(const std::vector<std::size_t>& columns, double* values) const;
+  /// The numbers in `columns` of this row; NaN and infinity are numbers here, and 1.5D+02 is 150 as Fortran writes it.
+  /// Refused: fewer columns than that, anything that is not a number or too large for a double, decimal points in one
+  /// row and decimal commas in another.
+  Expected<void> numbers(const std::vector<std::size_t>& columns, double* values);
+  [[nodiscard]] bool is_number_at(std::size_t column) const;
+
   [[nodiscard]] std::string where() const;  ///< "file:line"
 
  private:
   void split();
+  [[nodiscard]] bool decimal_signs_agree(std::string_view field);
 
   std::string_view rest_;
   std::string_view line_;
   std::vector<std::string_view> fields_;
   std::string path_;
   Separator separator_;
+  bool has_points_ = false, has_commas_ = false;  // as decimal signs, between semicolons
   int line_number_ = 0;
   int next_line_;
 };
@@ -50,5 +59,8 @@ std::vector<std::string_view> words_of(std::string_view line);
 
 /// Whether the text reads as one number.
 bool is_number(std::string_view text);
+
+/// The text as a whole number without a sign, or nothing.
+std::optional<std::size_t> whole_number(std::string_view text);
 
 }  // namespace artcal

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <memory>
 
+#include "app/cloud_columns.h"
 #include "app/command.h"
 #include "app/fit_report.h"
 #include "app/output.h"
@@ -12,6 +13,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::string points, rows;
+  std::vector<int> columns;
   FitWords words;
 };
 
@@ -20,10 +22,16 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 Expected<PointCloud> read_points(const Request& request, FitReport& report) {
-  auto cloud = read_point_cloud(request.points, {report.request.unit_factor, {}});
-  if (!cloud) {
-    return cloud;
+  const auto columns = cloud_columns(request.columns);
+  if (!columns) {
+    return tl::unexpected(columns.error());
   }
+  auto read = read_cloud(request.points, {report.request.unit_factor, {}}, *columns);
+  if (!read) {
+    return tl::unexpected(read.error());
+  }
+  report.columns = read->columns;
+  Expected<PointCloud> cloud = std::move(read->cloud);
   report.inputs.push_back(cloud->input);
   report.records = cloud->rows.size() + cloud->dropped;
   report.dropped = cloud->dropped;
@@ -75,6 +83,7 @@ Run set_up_fit(CLI::App& parser) {
   parser.add_flag("--spatial", words.spatial, "circle: distances to the curve in space, not first onto its plane");
   parser.add_option("--noise", words.noise, "noise of a point, such as \"15 um\"; else estimated");
   parser.add_flag("--robust", words.robust, "find outliers, list them, fit the rest");
+  add_columns_option(parser, request->columns);
   parser.add_option("--rows", request->rows, "fit only the rows (from 0) that this file lists, one a line")
       ->type_name("FILE");
   request->common.add_to(parser);

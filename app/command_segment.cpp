@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/point_cloud.h"
+#include "app/cloud_columns.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "app/segment_result.h"
@@ -21,6 +22,7 @@ struct Request {
   std::string tolerance;
   std::string radius = "fixed";
   std::vector<std::string> places;
+  std::vector<int> columns;
   std::optional<double> temperature;
 };
 
@@ -110,10 +112,16 @@ Expected<int> segment_and_tell(const Request& request) {
     return tl::unexpected(options.error());
   }
   result.options = std::move(*options);
-  auto cloud = read_point_cloud(request.scan, {*unit, std::nullopt});
-  if (!cloud) {
-    return tl::unexpected(cloud.error());
+  const auto columns = cloud_columns(request.columns);
+  if (!columns) {
+    return tl::unexpected(columns.error());
   }
+  auto read = read_cloud(request.scan, {*unit, std::nullopt}, *columns);
+  if (!read) {
+    return tl::unexpected(read.error());
+  }
+  result.columns = read->columns;
+  PointCloud* const cloud = &read->cloud;
   result.inputs = {cloud->input, artefact->input};
   if (auto checked = check_outputs({request.common.json}, result.inputs); !checked) {
     return tl::unexpected(checked.error());
@@ -153,6 +161,7 @@ Run set_up_segment(CLI::App& parser) {
       ->check(CLI::IsMember({"fixed", "free"}));
   parser.add_option("--place", request->places, "which sphere is which, where distances do not tell: NAME=x,y,z")
       ->type_name("PLACE");
+  add_columns_option(parser, request->columns);
   request->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --artefact examples/ball-bar-scan/bar.toml --unit "

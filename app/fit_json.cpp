@@ -54,6 +54,7 @@ Json to_json(const FitReport& report) {
   json["inputs"] = inputs_json(report.inputs);
   json["seed"] = report.request.robust ? Json(0) : Json(nullptr);
   json["options"] = options_json(report.request);
+  json["columns"] = report.columns;
   json["counts"] = {{"records", report.records},
                     {"dropped", report.dropped},
                     {"fitted", fit.points},

@@ -15,6 +15,7 @@ struct FitReport {
   std::vector<InputFile> inputs;  ///< the points, and the list of rows if there was one
   std::size_t records = 0;        ///< of the file, dropped ones among them
   std::size_t dropped = 0;
+  std::string columns;  ///< ReadCloud::columns
   FeatureFit fit;
   std::vector<std::string> warnings;
   double reading_seconds = 0.0, fitting_seconds = 0.0;

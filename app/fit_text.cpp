@@ -29,7 +29,7 @@ std::string title(const FitReport& report) {
   if (!report.fit.outliers.empty()) {
     text += fmt::format(", {} left out", report.fit.outliers.size());
   }
-  return text + "\n\n";
+  return fmt::format("{}\nx, y, z from {}\n\n", text, report.columns);
 }
 
 // Lengths to 0.01 µm, directions to what such a length is at 10 m, angles in degrees.

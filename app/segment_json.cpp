@@ -81,6 +81,7 @@ nlohmann::ordered_json to_json(const SegmentResult& result) {
   json["inputs"] = inputs_json(result.inputs);
   json["seed"] = nullptr;
   json["options"] = options_json(result);
+  json["columns"] = result.columns;
   json["points"] = result.points;
   json["spheres"] = Json::array();
   for (std::size_t i = 0; i < result.segmentation.spheres.size(); ++i) {

@@ -19,6 +19,7 @@ struct SegmentResult {
   double unit_in_mm = 1.0;
   double temperature = 20.0;  ///< of the artefact, °C
   std::size_t points = 0;
+  std::string columns;    ///< ReadCloud::columns
   std::vector<int> rows;  ///< which record of the scan each point is
   Artefact artefact;
   ArtefactInScan wanted;

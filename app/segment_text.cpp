@@ -7,18 +7,25 @@
 #include "app/segment_result.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
+#include "core/point_text.h"
 
 namespace artcal {
 namespace {
 
 constexpr std::size_t most_distances = 12;
-constexpr std::size_t most_rejected = 6;
+constexpr std::size_t most_rejected = 12;
 constexpr std::size_t most_ways = 8;
 
 std::string shown(const std::string& name) { return at_most(60, name); }
 std::string mm(double value) { return fmt::format("{:.4f}", value); }
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
-std::string place(const Eigen::Vector3d& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x(), p.y(), p.z()); }
+
+// In the scan's unit, to a hundredth of the smallest radius: near enough to be handed to --place.
+std::string place(const SegmentResult& result, const Eigen::Vector3d& in_mm) {
+  const auto& radii = result.wanted.contents.radii;
+  const double resolution = 0.01 * *std::min_element(radii.begin(), radii.end());
+  return point_text(in_mm / result.unit_in_mm, resolution / result.unit_in_mm);
+}
 
 std::string spheres_table(const SegmentResult& result) {
   Table table({"sphere", "x", "y", "z", "radius seen", "points", "seen", "noise", "form"});
@@ -74,7 +81,7 @@ std::string rejected_text(const SegmentResult& result) {
     text += fmt::format("  {}\n", rejected[i].why);
   }
   if (rejected.size() > most_rejected) {
-    text += fmt::format("  ({} more)\n", rejected.size() - most_rejected);
+    text += fmt::format("  ({} more, all in the JSON result)\n", rejected.size() - most_rejected);
   }
   return text.empty() ? text : "\nNot taken:\n" + text;
 }
@@ -88,8 +95,8 @@ std::string ways_text(const SegmentResult& result) {
     for (std::size_t k = 0; k < ways[i].found.size() && names.size() < 3; ++k) {
       if (ways[i].found[k] >= 0) {
         const auto& sphere = result.segmentation.spheres[static_cast<std::size_t>(ways[i].found[k])];
-        names.push_back(fmt::format("{} at {}", shown(sphere_name(result, k)),
-                                    place(sphere->fitted.feature.centre / result.unit_in_mm)));
+        names.push_back(
+            fmt::format("{} at {}", shown(sphere_name(result, k)), place(result, sphere->fitted.feature.centre)));
       }
     }
     texts.push_back(fmt::format("{} (distances within {:.2g} mm)", fmt::join(names, ", "), ways[i].worst));
@@ -101,17 +108,34 @@ std::string found_text(const SegmentResult& result) {
   std::vector<std::string> places;
   for (const auto& sphere : result.segmentation.spheres) {
     if (sphere && places.size() < 6) {
-      places.push_back(place(sphere->fitted.feature.centre / result.unit_in_mm));
+      places.push_back(place(result, sphere->fitted.feature.centre));
     }
   }
   return fmt::format("{}{}", fmt::join(places, ", "), result.segmentation.spheres.size() > 6 ? ", …" : "");
 }
 
+// Each statement that no sphere answers, and what was found instead.
+std::string unmet_text(const SegmentResult& result) {
+  std::vector<std::string> texts;
+  for (const UnmetHint& unmet : result.segmentation.matching.unmet) {
+    const PlaceHint& hint = result.options.hints[static_cast<std::size_t>(unmet.hint)];
+    texts.push_back(fmt::format("--place states {} at {} {}, but {}",
+                                in_quotes(sphere_name(result, static_cast<std::size_t>(hint.point))),
+                                place(result, hint.near), result.unit, fault_text(unmet)));
+    for (const RejectedSphere& rejected : result.segmentation.rejected) {
+      if ((rejected.sphere.centre - hint.near).norm() <= unmet.limit) {
+        texts.back() += fmt::format(" (not taken there: {})", rejected.why);
+      }
+    }
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 }  // namespace
 
 std::string to_text(const SegmentResult& result) {
-  std::string text = fmt::format("{} in {}\n{} points in {}\n\n", shown(result.artefact.name),
-                                 at_most(80, result.inputs.front().path), result.points, result.unit);
+  std::string text = fmt::format("{} in {}\n{} points in {}, x, y, z from {}\n\n", shown(result.artefact.name),
+                                 at_most(80, result.inputs.front().path), result.points, result.unit, result.columns);
   if (!result.wanted.spheres.empty()) {
     text += spheres_table(result);
   }
@@ -140,12 +164,18 @@ std::string refusal_text(const SegmentResult& result) {
           "as --place {}=x,y,z in {}, or lower --tolerance (now {:.3g} mm)",
           s.matching.there_are_more ? "more than " : "", s.matching.ways.size(), ways_text(result),
           in_quotes(sphere_name(result, 0)), result.unit, s.tolerance);
+    case SegmentStatus::NotThere:
+      return fmt::format(
+          "{}; spheres were found at {} {}: correct the place, or state that of another sphere, because one that is "
+          "not "
+          "in the scan cannot show which is which{}",
+          unmet_text(result), found_text(result), result.unit, hints);
     case SegmentStatus::NoMatch:
       return fmt::format(
           "{} spheres of the right radius were found, at {} {}, but they are not at the certified distances to {:.3g} "
-          "mm; is it "
-          "this artefact, and is the arm identified? --tolerance allows more{}",
-          s.spheres.size(), found_text(result), result.unit, s.tolerance, hints);
+          "mm{}; is it this artefact, and is the arm identified? --tolerance allows more{}",
+          s.spheres.size(), found_text(result), result.unit, s.tolerance,
+          result.options.hints.empty() ? "" : " with the names that --place states", hints);
     default:
       return fmt::format("none of the artefact's features was found in {} points{}{}", result.points, hints,
                          s.rejected.empty() ? "" : fmt::format("; nearest to one: {}", s.rejected.front().why));

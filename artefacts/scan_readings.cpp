@@ -128,8 +128,9 @@ Expected<void> read_scan(Recording& recording, const RecordedScan& scan, const s
     return tl::unexpected(Error{found.error().code, found.error().message, scan.path});
   }
   if (found->status != SegmentStatus::Complete && found->status != SegmentStatus::Partial) {
-    return tl::unexpected(
-        Error{ErrorCode::NoSolution, scan_refusal(*found, source->wanted, *source->artefact), scan.path});
+    return tl::unexpected(Error{ErrorCode::NoSolution,
+                                scan_refusal(*found, source->wanted, *source->artefact, source->options.hints),
+                                scan.path});
   }
   for (const auto& warning : source->cloud.warnings) {
     recording.warnings.push_back(fmt::format("{}: {}", scan.path, warning));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/in_quotes.h"
+#include "core/point_text.h"
 
 namespace artcal {
 namespace {
@@ -13,16 +14,29 @@ std::string centres_of(const Segmentation& found) {
   std::vector<std::string> places;
   for (const auto& sphere : found.spheres) {
     if (sphere && places.size() < most) {
-      const Eigen::Vector3d& c = sphere->fitted.feature.centre;
-      places.push_back(fmt::format("[{:.1f}, {:.1f}, {:.1f}]", c.x(), c.y(), c.z()));
+      places.push_back(point_text(sphere->fitted.feature.centre, 0.01 * sphere->radius_wanted));
     }
   }
   return fmt::format("{}{}", fmt::join(places, ", "), found.spheres.size() > most ? ", …" : "");
 }
 
+std::string unmet_text(const Segmentation& found, const ArtefactInScan& wanted, const Artefact& artefact,
+                       const std::vector<PlaceHint>& hints) {
+  std::vector<std::string> texts;
+  for (const UnmetHint& unmet : found.matching.unmet) {
+    const PlaceHint& hint = hints[static_cast<std::size_t>(unmet.hint)];
+    const auto point = static_cast<std::size_t>(hint.point);
+    const std::string& name = artefact.features[static_cast<std::size_t>(wanted.spheres[point])].name;
+    texts.push_back(fmt::format("[[scan.place]] states the sphere {} at {} mm, but {}", in_quotes(name),
+                                point_text(hint.near, 0.01 * wanted.contents.radii[point]), fault_text(unmet)));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 }  // namespace
 
-std::string scan_refusal(const Segmentation& found, const ArtefactInScan& wanted, const Artefact& artefact) {
+std::string scan_refusal(const Segmentation& found, const ArtefactInScan& wanted, const Artefact& artefact,
+                         const std::vector<PlaceHint>& hints) {
   const std::string& first = artefact.features[static_cast<std::size_t>(wanted.spheres.front())].name;
   switch (found.status) {
     case SegmentStatus::Ambiguous:
@@ -33,6 +47,10 @@ std::string scan_refusal(const Segmentation& found, const ArtefactInScan& wanted
           "in the arm's base frame",
           found.matching.there_are_more ? "more than " : "", found.matching.ways.size(), in_quotes(first),
           found.tolerance, centres_of(found));
+    case SegmentStatus::NotThere:
+      return fmt::format(
+          "{}; spheres were found at {} mm in the arm's base frame: correct the place, or state that of another sphere",
+          unmet_text(found, wanted, artefact, hints), centres_of(found));
     case SegmentStatus::NoMatch:
       return fmt::format(
           "{} spheres of the right radius were found, at {} mm in the arm's base frame, but they are not at the "

@@ -55,16 +55,13 @@ int fewest(int points) { return std::max(std::min(2, points), (points + 1) / 2);
 /// Depth-first over the pattern's points: each takes every found point that its distances allow, or none.
 class Search {
  public:
-  Search(const Pattern& pattern, const std::vector<FoundPoint>& found, const std::vector<PlaceHint>& hints)
+  Search(const Pattern& pattern, const std::vector<FoundPoint>& found, std::vector<int> wanted)
       : pattern_(pattern),
         found_(found),
         order_(order_of(pattern.distances)),
         now_(pattern.radii.size(), -1),
         used_(found.size(), 0),
-        wanted_(pattern.radii.size(), -1) {
-    for (const PlaceHint& hint : hints) {
-      wanted_[hint.point] = nearest(hint.near);
-    }
+        wanted_(std::move(wanted)) {
     best_ = fewest(static_cast<int>(pattern.radii.size()));
   }
 
@@ -84,16 +81,6 @@ class Search {
   }
 
  private:
-  [[nodiscard]] int nearest(const Eigen::Vector3d& p) const {
-    int best = -1;
-    for (int i = 0; i < static_cast<int>(found_.size()); ++i) {
-      if (best < 0 || (found_[i].at - p).norm() < (found_[best].at - p).norm()) {
-        best = i;
-      }
-    }
-    return best;
-  }
-
   [[nodiscard]] double deviation(int a, int b) const {
     return (found_[now_[a]].at - found_[now_[b]].at).norm() - pattern_.distances(a, b);
   }
@@ -190,7 +177,13 @@ Expected<Matching> match(const Pattern& pattern, const std::vector<FoundPoint>& 
   if (auto checked = check(pattern, hints); !checked) {
     return tl::unexpected(checked.error());
   }
-  return pattern.radii.empty() || found.empty() ? Matching{} : Search(pattern, found, hints).run();
+  auto resolved = resolve_hints(pattern, found, hints);
+  if (!resolved.unmet.empty()) {
+    Matching matching;
+    matching.unmet = std::move(resolved.unmet);
+    return matching;
+  }
+  return pattern.radii.empty() || found.empty() ? Matching{} : Search(pattern, found, std::move(resolved.found)).run();
 }
 
 }  // namespace artcal

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "core/error.h"
+#include "fitting/segmentation/place_hint.h"
 
 namespace artcal {
 
@@ -24,12 +25,6 @@ struct FoundPoint {
   double radius;       ///< of the pattern's radii, the one it answers
 };
 
-/// Says which found point a point of the pattern is: the one next to `near`. Breaks the tie of a symmetric artefact.
-struct PlaceHint {
-  int point = 0;  ///< of the pattern
-  Eigen::Vector3d near = Eigen::Vector3d::Zero();
-};
-
 struct Assignment {
   std::vector<int> found;  ///< for each point of the pattern an index into the found ones, or -1: it is missing
   int count = 0;           ///< of those that are not missing
@@ -42,7 +37,8 @@ struct Matching {
   /// smallest deviation first. One: the points are told. Several: the artefact's distances do not tell them
   /// apart. None: nothing fits.
   std::vector<Assignment> ways;
-  bool there_are_more = false;  ///< than the 1000 ways listed
+  bool there_are_more = false;   ///< than the 1000 ways listed
+  std::vector<UnmetHint> unmet;  ///< hints that no found point answers; there are no ways then
 };
 
 /// Finds which found points are which of the pattern's. Up to half may be missing, any number of strays stand beside;

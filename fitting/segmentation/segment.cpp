@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/point_text.h"
+
 namespace artcal {
 namespace {
 
@@ -34,14 +36,16 @@ std::vector<FoundPoint> found_points(const std::vector<FoundSphere>& spheres) {
 RejectedSphere stray(const FoundSphere& sphere) {
   const Eigen::Vector3d& c = sphere.fitted.feature.centre;
   return {sphere.fitted.feature, static_cast<int>(sphere.points.size()), RejectionReason::Stray,
-          fmt::format("a sphere of the right radius at ({:.1f}, {:.1f}, {:.1f}), but at no certified distance from the "
-                      "others",
-                      c.x(), c.y(), c.z())};
+          fmt::format("a sphere of the right radius at {}, but at no certified distance from the others",
+                      point_text(c, 0.01 * sphere.radius_wanted))};
 }
 
 SegmentStatus status_of(const Segmentation& result, const ScanContents& wanted, std::size_t found) {
   if (found == 0 && result.planes.empty()) {
     return SegmentStatus::Nothing;
+  }
+  if (!result.matching.unmet.empty()) {
+    return SegmentStatus::NotThere;
   }
   if (result.matching.ways.size() > 1) {
     return SegmentStatus::Ambiguous;

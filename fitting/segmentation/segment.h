@@ -33,6 +33,7 @@ enum class SegmentStatus {
   Partial,    ///< told, but something is missing
   Ambiguous,  ///< spheres were found, but several ways of naming them fit the distances
   NoMatch,    ///< spheres were found, but no way of naming them fits
+  NotThere,   ///< a hint states a place where no sphere was found: Matching::unmet
   Nothing,    ///< no feature was found
 };
 

@@ -197,7 +197,7 @@ TEST_F(PcdFile, NonsenseInTheHeader) {
   EXPECT_THAT(refused({.size = "SIZE 4 4\n"}), HasSubstr("p.pcd:4: SIZE has 2 values for 3 fields"));
   EXPECT_THAT(refused({.size = "SIZE 3 4 4\n"}), HasSubstr("has TYPE \"F\" and SIZE \"3\""));
   EXPECT_THAT(refused({.type = "TYPE F Q F\n"}), HasSubstr("has TYPE \"Q\""));
-  EXPECT_THAT(refused({.count = "COUNT 1 0 1\n"}), HasSubstr("has COUNT 0, expected 1"));
+  EXPECT_THAT(refused({.count = "COUNT 1 0 1\n"}), HasSubstr("the field y has COUNT 0"));
   EXPECT_THAT(refused({.count = "COUNT 1 -1 1\n"}), HasSubstr("expected a whole number"));
   EXPECT_THAT(refused({.count = "COUNT 1 2 1\n"}), HasSubstr("the field y has COUNT 2"));
   EXPECT_THAT(refused({.count = "COUNT 1 4000000000 1\n"}), HasSubstr("has COUNT 4000000000"));

@@ -154,6 +154,25 @@ TEST_F(Fit, WrongUsageIsExplained) {
   refused({"--shape", "sphere", "--unit", "mm", "--json", ball}, "is an input of this result");
 }
 
+TEST_F(Fit, SaysWhichColumnsItRead) {
+  EXPECT_THAT(fit(ball, {"--shape", "sphere", "--unit", "mm"}).out,
+              HasSubstr("x, y, z from columns 1, 2, 3 of 3, without a header\n"));
+  write("t.csv", "3.00,0.5,0,0.8\n3.05,0,0.5,0.8\n3.10,-0.5,0,0.8\n3.15,0,-0.5,0.8\n3.20,0.3,0.4,0.8\n");
+  expect_refusal(fit("t.csv", {"--shape", "circle", "--unit", "m"}), 3, "t.csv: there are 4 columns without a header");
+  const Ended told = fit("t.csv", {"--shape", "circle", "--unit", "m", "--columns", "2,3,4", "--json", "-"});
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  const Json json = Json::parse(told.out);
+  EXPECT_EQ(json["columns"], "columns 2, 3, 4 of 4, as stated");
+  for (const Json& value : json["values"]) {
+    if (value["name"] == "diameter") {
+      EXPECT_NEAR(value["value"].get<double>(), 1000.0, 1e-6);
+    }
+  }
+  for (const char* columns : {"2,3", "0,1,2", "2,2,3"}) {
+    expect_refusal(fit("t.csv", {"--shape", "circle", "--unit", "m", "--columns", columns}), 2, "--columns");
+  }
+}
+
 TEST_F(Fit, WhatThePointsDoNotTellIsNoSolution) {
   write("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0.5 0.2 0\n");
   expect_refusal(fit("flat.xyz", {"--shape", "sphere", "--unit", "mm"}), 4, "flat.xyz: ");

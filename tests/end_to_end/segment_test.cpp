@@ -83,6 +83,7 @@ TEST_F(Segment, TellsAPerson) {
   const Ended ended = segment({});
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.out, HasSubstr("ball bar 300"));
+  EXPECT_THAT(ended.out, HasSubstr("x, y, z from columns 1, 2, 3 of 3, without a header"));
   EXPECT_THAT(ended.out, HasSubstr("A - C      300.0307"));
   EXPECT_THAT(ended.out, HasSubstr("at no certified distance from the others"));
   EXPECT_THAT(segment({"--quiet"}).out, IsEmpty());
@@ -104,6 +105,14 @@ TEST_F(Segment, WhatCannotBeToldIsNotGuessed) {
   const Ended told = segment({"--tolerance", "31 mm", "--place", "A=412.5,-230,151", "--place", "B=402.1,-73.4,239.1"},
                              "mm", "other.toml");
   EXPECT_EQ(told.exit_code, 0) << told.err;
+}
+
+// Not the nearest ball, however far.
+TEST_F(Segment, APlaceWithoutABallIsRefused) {
+  const Ended ended = segment({"--place", "A=412.5,-30,151"});
+  EXPECT_EQ(ended.exit_code, 4) << ended.out;
+  EXPECT_THAT(ended.err, HasSubstr("--place states \"A\" at (412.5, -30.0, 151.0) mm, but no sphere was found within"));
+  EXPECT_THAT(ended.err, HasSubstr("the nearest is"));
 }
 
 TEST_F(Segment, AMissingBallIsNamed) {
