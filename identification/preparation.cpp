@@ -76,7 +76,7 @@ Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Re
 }  // namespace
 
 Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
-                              const IdentifyOptions& options, Alignment alignment) {
+                              const IdentifyOptions& options, Alignment alignment, const Arm* from) {
   if (auto sensible = check_model(recording, options); !sensible) {
     return tl::unexpected(sensible.error());
   }
@@ -85,7 +85,8 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   if (!selection) {
     return tl::unexpected(selection.error());
   }
-  const auto aligned = align(alignment, recording, constraints, nominal, of_chain(*selection));
+  const auto aligned =
+      align(alignment, recording, constraints, from != nullptr ? *from : nominal, of_chain(*selection));
   if (!aligned) {
     return no_solution(
         "the initial alignment did not converge; is the arm's file the arm that was read, with the right joint signs "

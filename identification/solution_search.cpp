@@ -15,6 +15,7 @@ namespace {
 // Relative difference of the residuals' sizes at one and the same minimum.
 constexpr double same_minimum = 1e-3;
 constexpr double sure_noise_ratio = 3.0;
+constexpr int max_realignments = 3;
 
 /// A fit and what it began with.
 struct Fitted {
@@ -91,8 +92,8 @@ Expected<Fitted> fitted_with_prior(Expected<Fitted> failed, const Preparation& p
 }
 
 Expected<Candidate> candidate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
-                                   const IdentifyOptions& options) {
-  const auto preparation = prepare(recording, constraints, options, alignment);
+                                   const IdentifyOptions& options, const Arm* from = nullptr) {
+  const auto preparation = prepare(recording, constraints, options, alignment, from);
   auto fit = fitted(preparation, recording, constraints, options);
   std::vector<std::string> weak;
   if (preparation && !is_plausible(fit, recording.arm)) {
@@ -127,11 +128,9 @@ bool is_better(const Candidate& candidate, const Candidate& best, const Identify
   return residual_size(candidate, options) < residual_size(best, options);
 }
 
-// Whether the minimum is surely the right one: begun at a nominal arm that sees its features, or with residuals of the
-// size of the stated noise.
-bool shows_itself(const Candidate& candidate, const IdentifyOptions& options) {
-  return candidate.alignment == Alignment::None ||
-         (options.noise.is_given() && residual_size(candidate, options) < sure_noise_ratio);
+// Whether the residuals are of the size of the stated noise.
+bool as_stated(const Candidate& candidate, const IdentifyOptions& options) {
+  return options.noise.is_given() && residual_size(candidate, options) < sure_noise_ratio;
 }
 
 // The zero offsets before the rest are a way along the stylus too.
@@ -139,10 +138,35 @@ Alignment family(Alignment alignment) {
   return alignment == Alignment::JointsFirst ? Alignment::StylusCentres : alignment;
 }
 
+bool same_size(const Candidate& one, const Candidate& other, const IdentifyOptions& options) {
+  return std::abs(residual_size(one, options) / residual_size(other, options) - 1.0) < same_minimum;
+}
+
 // Whether another way led to the same minimum.
 bool confirms(const Candidate& candidate, const Candidate& best, const IdentifyOptions& options) {
   return candidate.misfits.empty() && family(candidate.alignment) != family(best.alignment) &&
-         std::abs(residual_size(candidate, options) / residual_size(best, options) - 1.0) < same_minimum;
+         same_size(candidate, best, options);
+}
+
+// A wrong minimum is nearer to the right one than the nominal arm was: aligned anew from there, the fit often leaves
+// it.
+void improve(Candidate& candidate, const Recording& recording, const Constraints& constraints,
+             const IdentifyOptions& options) {
+  for (int round = 0; round < max_realignments && !as_stated(candidate, options); ++round) {
+    bool better = false;
+    for (const Alignment alignment : {Alignment::StylusCentres, Alignment::TipCentres}) {
+      const Arm from = candidate.fit.arm;
+      auto again = candidate_from(alignment, recording, constraints, options, &from);
+      if (again && is_better(*again, candidate, options) && !same_size(*again, candidate, options)) {
+        again->alignment = candidate.alignment;
+        candidate = std::move(*again);
+        better = true;
+      }
+    }
+    if (!better) {
+      return;
+    }
+  }
 }
 
 }  // namespace
@@ -153,7 +177,10 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
   std::optional<Error> first_error;
   bool confirmed = false;
   int attempt = 0;
-  for (const Alignment alignment : alignments_for(recording, constraints, arm_for(options.model, recording.arm))) {
+  const auto alignments = alignments_for(recording, constraints, arm_for(options.model, recording.arm));
+  // Begun at a nominal arm that sees its features, the minimum is the right one.
+  const bool starts_near = alignments.front() == Alignment::None;
+  for (const Alignment alignment : alignments) {
     auto candidate = candidate_from(alignment, recording, constraints, options);
     ++attempt;
     if (!candidate) {
@@ -164,8 +191,13 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
       continue;
     }
     candidate->attempt = attempt;
+    const bool near = starts_near && alignment == Alignment::None;
+    if (!near || !candidate->misfits.empty()) {
+      improve(*candidate, recording, constraints, options);
+      candidate->attempt = attempt;
+    }
     confirmed = candidate->misfits.empty() &&
-                (shows_itself(*candidate, options) || (best && confirms(*candidate, *best, options)));
+                (near || as_stated(*candidate, options) || (best && confirms(*candidate, *best, options)));
     if (!best || is_better(*candidate, *best, options)) {
       best = std::move(*candidate);
     }

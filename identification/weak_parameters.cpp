@@ -18,6 +18,9 @@ constexpr double prior_angle = 3.0 * units::degree;  // rad
 constexpr double good_part = 0.3;
 constexpr double tip_preference = 0.1;
 constexpr double mainly = 0.6;  // cosine
+// An arm whose scale is known to a quarter of a percent or worse is of no use, and its fit is biased (errors in
+// variables): a third of the prior, which leaves 0.8 % to an arm of two links of 0.8 m.
+constexpr double scale_bound = 3.0;
 
 // The higher, the rather fixed: lengths of outer joints first, a before d; never a tip or a scale's only length.
 double preference(const Parameter& parameter) {
@@ -91,7 +94,8 @@ bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Lin
                    const Eigen::VectorXd& scale) {
   WeakParameters weak{arm, {}};
   const Eigen::VectorXd by_prior = prior_weights(free, scale).cwiseInverse();
-  take_weak(arm_triangle(linearisation, static_cast<int>(free.size())) * by_prior.asDiagonal(), free, 1.0, weak);
+  take_weak(arm_triangle(linearisation, static_cast<int>(free.size())) * by_prior.asDiagonal(), free, scale_bound,
+            weak);
   return weak.scale_is_weak;
 }
 

@@ -25,7 +25,8 @@ struct WeakParameters {
   bool scale_is_weak = false;  ///< one of the directions is mainly the growth of all lengths in proportion
 };
 
-/// Whether the readings determine the growth of all lengths in proportion worse than a nominal arm does:
+/// Whether the readings determine the growth of all lengths in proportion hardly better than a nominal arm does, to a
+/// third of the prior:
 /// `linearisation` is that of a fit without prior, at `arm`, its weights being those of the noise.
 bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Linearisation& linearisation,
                    const Eigen::VectorXd& scale);
