@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/cloud_formats.h"
+#include "acquisition/cloud_limits.h"
 #include "acquisition/lzf.h"
 #include "acquisition/pcd_header.h"
 #include "acquisition/text_rows.h"
@@ -119,8 +120,27 @@ std::size_t length_at(std::string_view bytes) {
   return value;
 }
 
+// A few megabytes can stand for gigabytes of equal points.
+Expected<void> check_memory(const Pcd& pcd, const CloudLimits& limits) {
+  // The decompressed numbers, and x, y, z, q1 … qn and the row of each point as the cloud has them.
+  const std::size_t of_a_point = pcd.header.record_size + sizeof(double) * pcd.fields.size() + sizeof(int);
+  const std::size_t needed = pcd.header.points * of_a_point;  // below 2^31 · 2^17
+  const std::size_t allowed = limits.allowed(pcd.file.bytes.size());
+  if (needed <= allowed) {
+    return {};
+  }
+  constexpr double mebibyte = 1024.0 * 1024.0;
+  return bad_input(
+      fmt::format("the file of {:.1f} MiB holds {} compressed points, which take {:.0f} MiB of memory, more "
+                  "than the {:.0f} MiB that are allowed; if the file is sound, save it uncompressed (DATA "
+                  "binary), or allow fit and segment more with --max-memory",
+                  static_cast<double>(pcd.file.bytes.size()) / mebibyte, pcd.header.points,
+                  static_cast<double>(needed) / mebibyte, static_cast<double>(allowed) / mebibyte),
+      pcd.path);
+}
+
 // Compressed, the numbers stand field by field: all x, then all y, and so on.
-Expected<PointCloud> read_compressed(Pcd& pcd, const CloudUnits& units) {
+Expected<PointCloud> read_compressed(Pcd& pcd, const CloudUnits& units, const CloudLimits& limits) {
   const PcdHeader& header = pcd.header;
   const std::string_view body = pcd.body();
   if (body.size() < 8) {
@@ -137,6 +157,12 @@ Expected<PointCloud> read_compressed(Pcd& pcd, const CloudUnits& units) {
     return bad_input(
         fmt::format("{} of {} bytes, but {} bytes are compressed", promise(header), header.record_size, whole),
         pcd.path);
+  }
+  // What so few bytes cannot stand for at all is damaged, and is not decompressed either.
+  if (whole / lzf_most_per_byte <= compressed) {
+    if (auto fits = check_memory(pcd, limits); !fits) {
+      return tl::unexpected(fits.error());
+    }
   }
   const auto bytes = lzf_decompress(body.substr(8, compressed), whole);
   if (!bytes) {
@@ -159,7 +185,15 @@ void warn_of_viewpoint(Pcd& pcd) {
 
 }  // namespace
 
-Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units) {
+std::size_t CloudLimits::allowed(std::size_t file_size) const {
+  constexpr std::size_t least = std::size_t{256} << 20;
+  constexpr std::size_t times_the_file = 16;
+  return max_memory > 0 ? max_memory : std::max(least, times_the_file * file_size);
+}
+
+Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units) { return parse_pcd(file, units, {}); }
+
+Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units, const CloudLimits& limits) {
   const std::string path = file.path.string();
   auto header = read_pcd_header(file.bytes, path);
   if (!header) {
@@ -175,7 +209,7 @@ Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units) {
     case PcdData::Binary: return read_binary(pcd, units);
     case PcdData::BinaryCompressed: break;
   }
-  return read_compressed(pcd, units);
+  return read_compressed(pcd, units, limits);
 }
 
 }  // namespace artcal

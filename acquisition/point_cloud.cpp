@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/cloud_formats.h"
+#include "acquisition/cloud_limits.h"
 
 namespace artcal {
 namespace {
@@ -54,11 +55,10 @@ Expected<void> check_text(const FileBytes& file) {
   return {};
 }
 
-}  // namespace
-
-Expected<ReadCloud> parse_cloud(const FileBytes& file, const CloudUnits& units, const TextColumns& columns) {
+Expected<ReadCloud> parse_within(const FileBytes& file, const CloudUnits& units, const TextColumns& columns,
+                                 const CloudLimits& limits) {
   if (file.bytes.starts_with(byte_order_mark)) {
-    return parse_cloud({file.path, file.bytes.substr(byte_order_mark.size()), file.sha256}, units, columns);
+    return parse_within({file.path, file.bytes.substr(byte_order_mark.size()), file.sha256}, units, columns, limits);
   }
   const bool ply = looks_like_ply(file.bytes);
   if (!ply && !looks_like_pcd(file.bytes)) {
@@ -68,14 +68,25 @@ Expected<ReadCloud> parse_cloud(const FileBytes& file, const CloudUnits& units, 
     return bad_input("columns are stated by number, but the file is PCD or PLY, which names its fields; leave them out",
                      file.path.string());
   }
-  return (ply ? parse_ply(file, units) : parse_pcd(file, units)).map([](PointCloud&& cloud) {
+  return (ply ? parse_ply(file, units) : parse_pcd(file, units, limits)).map([](PointCloud&& cloud) {
     return ReadCloud{std::move(cloud), "the fields x, y, z"};
   });
 }
 
+}  // namespace
+
+Expected<ReadCloud> parse_cloud(const FileBytes& file, const CloudUnits& units, const TextColumns& columns) {
+  return parse_within(file, units, columns, {});
+}
+
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns) {
+  return read_cloud(path, units, columns, {});
+}
+
+Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns,
+                               const CloudLimits& limits) {
   return read_file_bytes(path, most_bytes, "a point file").and_then([&](const FileBytes& file) {
-    return parse_cloud(file, units, columns);
+    return parse_within(file, units, columns, limits);
   });
 }
 

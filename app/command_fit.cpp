@@ -4,6 +4,7 @@
 #include "app/cloud_columns.h"
 #include "app/command.h"
 #include "app/fit_report.h"
+#include "app/memory_option.h"
 #include "app/output.h"
 #include "app/row_list.h"
 
@@ -14,6 +15,7 @@ struct Request {
   CommonOptions common;
   std::string points, rows;
   std::vector<int> columns;
+  CloudLimits limits;
   FitWords words;
 };
 
@@ -26,7 +28,7 @@ Expected<PointCloud> read_points(const Request& request, FitReport& report) {
   if (!columns) {
     return tl::unexpected(columns.error());
   }
-  auto read = read_cloud(request.points, {report.request.unit_factor, {}}, *columns);
+  auto read = read_cloud(request.points, {report.request.unit_factor, {}}, *columns, request.limits);
   if (!read) {
     return tl::unexpected(read.error());
   }
@@ -87,6 +89,7 @@ Run set_up_fit(CLI::App& parser) {
   parser.add_option("--rows", request->rows, "fit only the rows (from 0) that this file lists, one a line")
       ->type_name("FILE");
   request->common.add_to(parser);
+  add_max_memory(parser, request->limits);
   parser.footer(
       "Example:\n  artcal fit examples/points/ball.xyz --shape sphere --unit mm --json ball.json\n"
       "  artcal fit examples/points/ball-scan.pcd --shape sphere --unit m --diameter 25.4mm --robust");

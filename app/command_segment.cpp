@@ -7,6 +7,7 @@
 #include "acquisition/point_cloud.h"
 #include "app/cloud_columns.h"
 #include "app/command.h"
+#include "app/memory_option.h"
 #include "app/output.h"
 #include "app/segment_result.h"
 #include "artefacts/artefact_file.h"
@@ -24,6 +25,7 @@ struct Request {
   std::vector<std::string> places;
   std::vector<int> columns;
   std::optional<double> temperature;
+  CloudLimits limits;
 };
 
 // "NAME=x,y,z"; names may hold an equals sign themselves.
@@ -116,7 +118,7 @@ Expected<int> segment_and_tell(const Request& request) {
   if (!columns) {
     return tl::unexpected(columns.error());
   }
-  auto read = read_cloud(request.scan, {*unit, std::nullopt}, *columns);
+  auto read = read_cloud(request.scan, {*unit, std::nullopt}, *columns, request.limits);
   if (!read) {
     return tl::unexpected(read.error());
   }
@@ -163,6 +165,7 @@ Run set_up_segment(CLI::App& parser) {
       ->type_name("PLACE");
   add_columns_option(parser, request->columns);
   request->common.add_to(parser);
+  add_max_memory(parser, request->limits);
   parser.footer(
       "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --artefact examples/ball-bar-scan/bar.toml --unit "
       "mm");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>
@@ -6,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "acquisition/cloud_limits.h"
 #include "core/units.h"
 #include "tests/support/cloud_file.h"
 
@@ -218,6 +220,39 @@ TEST_F(PcdFile, RowsThatAreNotWhatTheHeaderSays) {
   EXPECT_EQ(refused({}, "1 2 3\n4 5\n6 7 8 9\n"), "p.pcd:13: the line has 2 numbers, expected 3 as the header says");
   EXPECT_EQ(refused({}, "1 2 3\n4 hello 6\n7 8 9\n"),
             "p.pcd:13: column 2: found \"hello\", expected a number with a decimal point");
+}
+
+// So many points of three doubles, all zero: two bytes of literal zeros, then runs of 264.
+std::string equal_points(std::size_t points) {
+  const std::size_t size = 24 * points;
+  std::string body("\0\0", 2);
+  for (std::size_t left = size - 1; left > 0;) {
+    const std::size_t run = std::min<std::size_t>(left, left > 264 && left < 267 ? 200 : 264);
+    body += run > 8 ? std::string{'\xe0', static_cast<char>(run - 9), '\0'}
+                    : std::string{static_cast<char>((run - 2) << 5), '\0'};
+    left -= run;
+  }
+  Header header;
+  header.size = "SIZE 8 8 8\n";
+  header.width = fmt::format("WIDTH {}\n", points);
+  header.points = fmt::format("POINTS {}\n", points);
+  header.data = "DATA binary_compressed\n";
+  return header.text() + length(body.size()) + length(size) + body;
+}
+
+TEST_F(PcdFile, CompressedPointsTakeNoMoreMemoryThanIsAllowed) {
+  const std::string sound = equal_points(1000);
+  EXPECT_THAT(refusal("p.pcd", sound), HasSubstr("all 1000 points are the same")) << "decompressed, and looked at";
+  const std::string bomb = equal_points(12'000'000);
+  EXPECT_LT(bomb.size(), std::size_t{4} << 20);
+  EXPECT_THAT(refusal("p.pcd", bomb),
+              HasSubstr("the file of 3.1 MiB holds 12000000 compressed points, which take 595 MiB "
+                        "of memory, more than the 256 MiB that are allowed"));
+  const auto with_limit = [&](std::size_t bytes) {
+    return parse_pcd({"p.pcd", sound, "hash"}, CloudUnits{}, CloudLimits{bytes}).error().text();
+  };
+  EXPECT_THAT(with_limit(50'000), HasSubstr("segment more with --max-memory"));
+  EXPECT_THAT(with_limit(53'000), HasSubstr("all 1000 points are the same"));
 }
 
 }  // namespace
