@@ -44,7 +44,29 @@ Json trial_json(const ModelTrial& trial) {
           {"parameters", is_known ? Json(trial.parameters) : Json(nullptr)},
           {"left_out_rms_mm", is_known ? Json(trial.left_out_rms) : Json(nullptr)},
           {"improvement", is_compared ? Json(trial.improvement) : Json(nullptr)},
-          {"improvement_noise", is_compared ? Json(trial.improvement_noise) : Json(nullptr)}};
+          {"improvement_noise", is_compared ? Json(trial.improvement_noise) : Json(nullptr)},
+          {"limit", is_compared ? Json(trial.limit) : Json(nullptr)}};
+}
+
+const char* name_of(FixedMember::Reason reason) {
+  switch (reason) {
+    case FixedMember::Reason::Undetermined: return "weakly identifiable";
+    case FixedMember::Reason::Implausible: return "implausible";
+    case FixedMember::Reason::BelowZero: return "below zero";
+    case FixedMember::Reason::NotIdentifiable: break;
+  }
+  return "not identifiable";
+}
+
+Json fixed_member_json(const FixedMember& member) {
+  const bool estimated =
+      member.reason == FixedMember::Reason::Implausible || member.reason == FixedMember::Reason::BelowZero;
+  return {{"name", member.name},
+          {"group", name_of(member.group)},
+          {"reason", name_of(member.reason)},
+          {"estimate", estimated ? Json(member.estimate) : Json(nullptr)},
+          {"standard_uncertainty", estimated ? Json(member.u) : Json(nullptr)},
+          {"text", member.why}};
 }
 
 }  // namespace
@@ -53,6 +75,7 @@ Json model_study_json(const ModelStudy& study) {
   return {{"done", study.done},
           {"false_alarms", study.false_alarms},
           {"readings", study.readings},
+          {"implausible", study.implausible},
           {"tests", json_list(study.tests,
                               [](const ModelTest& test) -> Json {
                                 return {{"effect", name_of(test.effect)},
@@ -79,7 +102,11 @@ Json model_json(const Identification& result) {
   for (const ParameterGroup group : result.model) {
     groups.push_back(name_of(group));
   }
-  return {{"text", model_text(result.model)}, {"groups", groups}, {"trials", json_list(result.trials, trial_json)}};
+  return {{"text", model_text(result.model)},
+          {"groups", groups},
+          {"fixed", json_list(result.fixed_members, fixed_member_json)},
+          {"trials", json_list(result.trials, trial_json)},
+          {"chosen_by_left_out", result.left_out_chose_the_model}};
 }
 
 }  // namespace artcal

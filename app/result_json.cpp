@@ -51,6 +51,31 @@ Json artefact_value_json(const ArtefactValue& value) {
           {"standard_uncertainty_mm", value.u}};
 }
 
+Json certificate_outlier_json(const CertificateOutlier& outlier) {
+  const bool is_distance = !outlier.quantity;
+  return {{"artefact", outlier.name.artefact},
+          {"placement", is_distance ? Json(outlier.name.placement) : Json(nullptr)},
+          {"feature", outlier.name.feature},
+          {"second", is_distance ? Json(outlier.second) : Json(nullptr)},
+          {"quantity", is_distance ? "distance" : name_of(*outlier.quantity)},
+          {"certified_mm", outlier.certified},
+          {"certified_standard_uncertainty_mm", outlier.u},
+          {"deviation_mm", outlier.deviation},
+          {"standardised", outlier.standardised},
+          {"limit", outlier.limit},
+          {"weight", outlier.weight}};
+}
+
+Json influence_json(const ArtefactInfluence& influence) {
+  const bool certified = influence.certificates > 0;
+  return {{"artefact", influence.artefact},
+          {"readings", influence.readings},
+          {"readings_weight", influence.readings_weight},
+          {"certificates", influence.certificates},
+          {"certificates_weight", certified ? Json(influence.certificates_weight) : Json(nullptr)},
+          {"share", influence.share}};
+}
+
 Json covariance_json(const Identification& result) {
   Json names = Json::array();
   for (const int index : result.free) {
@@ -118,8 +143,11 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
             {"feature", outlier.name.feature},
             {"standardised", outlier.standardised},
             {"limit", outlier.limit},
-            {"deviation_mm", outlier.deviation}};
+            {"deviation_mm", outlier.deviation},
+            {"weight", outlier.weight}};
   });
+  json["certificate_outliers"] = json_list(result.certificate_outliers, certificate_outlier_json);
+  json["influence"] = json_list(result.influences, influence_json);
   json["model_study"] = model_study_json(result.model_study);
   json["termination"] = {{"status", result.misfits.empty() ? "converged" : "misfit accepted"},
                          {"message", result.termination},

@@ -74,19 +74,33 @@ std::string summary_text(const Identification& result) {
   }
   std::string text = table.text();
   if (left_out) {
-    text += "  left out: each placement judged by an arm identified without it; expect this of new readings\n";
+    text += result.left_out_chose_the_model
+                ? "  left out: each placement judged by an arm identified without it. These placements also chose the "
+                  "model:\n  new readings may deviate by more\n"
+                : "  left out: each placement judged by an arm identified without it; expect this of new readings\n";
   }
   return text + "\n";
 }
 
-std::string trials_text(const Identification& result) {
+// Members of the model's groups that keep their nominal values.
+std::string fixed_members_text(const Identification& result) {
+  std::string text;
+  for (const FixedMember& member : result.fixed_members) {
+    text += fmt::format("  {} of the group {} is fixed: {}\n", member.name, name_of(member.group), member.why);
+  }
+  return text;
+}
+
+std::string model_tried_text(const Identification& result) {
   if (result.trials.empty()) {
-    return result.model.empty() ? "" : fmt::format("  model {}\n\n", model_text(result.model));
+    return result.model.empty() ? ""
+                                : fmt::format("  model {}\n{}\n", model_text(result.model), fixed_members_text(result));
   }
   std::string text = fmt::format(
-      "Model {}: a group is taken where it improves placements left out by more than twice the noise of that\n",
-      model_text(result.model));
-  Table table({"model tried", "parameters", "left out, mm", "better by", "noise", ""});
+      "Model {}: a group is taken where it improves the placements left out by more than chance allows (Student, 95 %, "
+      "all groups of a step together)\n{}",
+      model_text(result.model), fixed_members_text(result));
+  Table table({"model tried", "parameters", "left out, mm", "better by", "standard error", "needed", ""});
   std::string refusals;
   const auto percent = [](double share) { return fmt::format("{:.1f} %", 100.0 * share); };
   for (const ModelTrial& trial : result.trials) {
@@ -99,6 +113,7 @@ std::string trials_text(const Identification& result) {
     const bool start = trial.verdict == Verdict::Start;
     table.add({name, fmt::format("{}", trial.parameters), mm(trial.left_out_rms),
                start ? "" : percent(trial.improvement), start ? "" : percent(trial.improvement_noise),
+               start ? "" : percent(trial.limit * trial.improvement_noise),
                trial.verdict == Verdict::Taken   ? "taken"
                : trial.verdict == Verdict::Worth ? "worth it, not the best"
                : start                           ? ""
@@ -192,11 +207,30 @@ std::string artefacts_text(const Identification& result) {
   return table.text() + more + "\n";
 }
 
+// What several artefacts count against each other, or what a loss made of one.
+std::string influences_text(const Identification& result) {
+  const bool reweighted =
+      std::any_of(result.influences.begin(), result.influences.end(), [](const ArtefactInfluence& influence) {
+        return influence.readings_weight < 1.0 || (influence.certificates > 0 && influence.certificates_weight < 1.0);
+      });
+  if (result.influences.size() < 2 && !reweighted) {
+    return {};
+  }
+  Table table({"artefact", "share in the arm", "readings", "mean weight", "certified values", "mean weight"});
+  for (const ArtefactInfluence& influence : result.influences) {
+    table.add({shown(influence.artefact), fmt::format("{:.1f} %", 100.0 * influence.share),
+               fmt::format("{}", influence.readings), fmt::format("{:.2f}", influence.readings_weight),
+               fmt::format("{}", influence.certificates),
+               influence.certificates > 0 ? fmt::format("{:.2f}", influence.certificates_weight) : ""});
+  }
+  return table.text() + "\n";
+}
+
 std::string noise_text(const Identification& result) {
   return fmt::format(
-      "  noise of a reading {:.4g} mm a coordinate ({}), chi-squared {:.1f} with {} degrees of freedom\n\n",
+      "  noise of a reading {:.4g} mm a coordinate ({}), chi-squared {:.1f} with {} degrees of freedom\n\n{}",
       result.noise, result.noise_is_given ? "as stated" : "estimated from the residuals", result.chi_squared,
-      result.degrees_of_freedom);
+      result.degrees_of_freedom, influences_text(result));
 }
 
 std::string alignment_text(const Identification& result) {
@@ -215,29 +249,48 @@ std::string model_study_text(const ModelStudy& study) {
       study.tests.size());
 }
 
-std::string outliers_text(const Recording& recording, const Identification& result) {
-  if (result.outliers.empty()) {
+// How much of an observation a loss left; nothing without a loss.
+std::string weight_text(double weight) { return weight < 1.0 ? fmt::format(", weight {:.2g}", weight) : ""; }
+
+template <typename Item, typename Line>
+std::string outlier_lines(const std::vector<Item>& outliers, const char* noun, Line&& line) {
+  if (outliers.empty()) {
     return {};
   }
-  std::string text = fmt::format("{} further off than chance allows; kept, but look at it:\n",
-                                 plural(result.outliers.size(), "reading"));
-  for (std::size_t i = 0; i < std::min(most_outliers, result.outliers.size()); ++i) {
-    const Outlier& outlier = result.outliers[i];
-    text += fmt::format("  {}: placement {}, feature {}, {} mm, {:.1f} standard deviations (limit {:.1f})\n",
-                        at_most(200, recording.where(outlier.reading)), shown(outlier.name.placement),
-                        shown(outlier.name.feature), signed_mm(outlier.deviation), outlier.standardised, outlier.limit);
+  const bool reweighted =
+      std::any_of(outliers.begin(), outliers.end(), [](const Item& outlier) { return outlier.weight < 1.0; });
+  std::string text = fmt::format("{} further off than chance allows; {}, but look at it:\n",
+                                 plural(outliers.size(), noun), reweighted ? "given less weight" : "kept");
+  for (std::size_t i = 0; i < std::min(most_outliers, outliers.size()); ++i) {
+    text += fmt::format("  {}, {:.1f} standard deviations (limit {:.1f}){}\n", line(outliers[i]),
+                        outliers[i].standardised, outliers[i].limit, weight_text(outliers[i].weight));
   }
-  if (result.outliers.size() > most_outliers) {
-    text += fmt::format("  and {} more, all in the JSON result\n", result.outliers.size() - most_outliers);
+  if (outliers.size() > most_outliers) {
+    text += fmt::format("  and {} more, all in the JSON result\n", outliers.size() - most_outliers);
   }
   return text + "\n";
+}
+
+std::string outliers_text(const Recording& recording, const Identification& result) {
+  return outlier_lines(result.certificate_outliers, "certified value",
+                       [](const CertificateOutlier& outlier) {
+                         return fmt::format(
+                             "{}{}: {} {} mm, {} mm off", shown(outlier.name.artefact),
+                             outlier.quantity ? "" : fmt::format(", placement {}", shown(outlier.name.placement)),
+                             at_most(140, quantity_text(outlier)), mm(outlier.certified),
+                             signed_mm(-outlier.deviation));
+                       }) +
+         outlier_lines(result.outliers, "reading", [&](const Outlier& outlier) {
+           return fmt::format("{}: placement {}, feature {}, {} mm", at_most(200, recording.where(outlier.reading)),
+                              shown(outlier.name.placement), shown(outlier.name.feature), signed_mm(outlier.deviation));
+         });
 }
 
 }  // namespace
 
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
   const std::string warnings = result.warnings.empty() ? "" : warning_lines(result.warnings) + "\n";
-  return title_text(recording, constraints, result) + summary_text(result) + warnings + trials_text(result) +
+  return title_text(recording, constraints, result) + summary_text(result) + warnings + model_tried_text(result) +
          placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
          noise_text(result) + alignment_text(result) + model_study_text(result.model_study) +
          cannot_text(result.coupling) + outliers_text(recording, result);

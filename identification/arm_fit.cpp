@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/statistics.h"
+#include "identification/robust_fit.h"
 #include "identification/settle.h"
 #include "identification/weak_parameters.h"
 #include "identification/weights.h"
@@ -17,7 +18,8 @@ constexpr int max_rounds = 20;
 constexpr double noise_stands = 1e-4;        // relative change at which the noise has settled
 constexpr double good_for_the_noise = 1e-4;  // mm a step moves; the rounds that follow go on from there
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
-constexpr double least_noise = 1e-9;  // mm
+constexpr double least_noise = 1e-9;   // mm
+constexpr double no_residuals = 1e-6;  // mm
 
 // Factor by which the noise in use is to be multiplied so that the residuals have their expected size.
 double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, Loss loss) {
@@ -82,22 +84,29 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   fit.weights = first_weights(system, fit.arm, fit.unknowns, noise);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.arm_size());
   double sigma = 1.0;
+  Loss first_loss = options.loss;
   if (options.loss != Loss::None && !noise.is_given()) {
     // Least squares first would follow what the loss is there to let go of: the start's own residuals say what is far.
     fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
-    sigma = std::max(least_noise, noise_factor(fit.residuals, fit.degrees_of_freedom, options.loss));
-    fit.weights = uniform_weights(constraints, sigma);
+    const double seen = noise_factor(fit.residuals, fit.degrees_of_freedom, options.loss);
+    if (seen > no_residuals) {
+      sigma = seen;
+      fit.weights = uniform_weights(constraints, sigma);
+    } else {
+      first_loss = Loss::None;  // readings that are each alone on their point: only what is certified is off
+    }
   }
   for (bool standing = false; !standing && fit.rounds < max_rounds;) {
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
-    SolveOptions round{options.loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
+    SolveOptions round{first_loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
     put_prior(prior, system, round);
     Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
                               fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
     ++fit.rounds;
     fit.iterations += solution.iterations;
     fit.termination = solution.message;
-    if (solution.termination != Termination::Converged) {
+    const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
+    if (solution.termination != Termination::Converged && !is_usable) {
       return no_solution(
           fmt::format("the estimation did not converge ({}). Check certified distances and names of features, and the "
                       "arm's file: joint order, signs, units",
@@ -109,6 +118,15 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     fit.arm = system.arm_at(x.data());
     fit.cost = solution.final_cost;
     fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+    fit.loss_weights = loss_weights(constraints, fit.weights, round.loss, fit.residuals);
+    if (options.loss != Loss::None) {
+      // Near enough for robust_fit() to go on from.
+      if (noise.encoder) {
+        fit.weights = posture_weights(system, fit.arm, fit.unknowns, *noise.encoder, *noise.probing);
+        fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+      }
+      break;
+    }
     if (noise.reading) {
       standing = true;
     } else if (noise.encoder) {
@@ -129,7 +147,13 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   }
   fit.scale = system.scale;
   fit.noise = typical_noise(fit.weights);
-  return fit;
+  fit.counted = fit.weights;
+  if (options.loss == Loss::None) {
+    return fit;
+  }
+  SolveOptions robust = options;
+  put_prior(prior, system, robust);
+  return robust_fit(system, noise, robust, x, std::move(fit));
 }
 
 }  // namespace artcal

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "identification/covariance.h"
 #include "identification/problem.h"
+#include "identification/redundancy.h"
 #include "identification/system.h"
 
 namespace artcal {
@@ -16,7 +17,9 @@ struct ArmFit {
   Unknowns unknowns;
   Weights weights;              ///< in force at the end
   WhitenedResiduals residuals;  ///< under these
-  Linearisation linearisation;  ///< at the solution, under these; columns are the free parameters
+  LossWeights loss_weights;     ///< how much of each observation counts; all 1 without a loss
+  Weights counted;              ///< the weights as the observations count (counted_weights()); without a loss the same
+  Linearisation linearisation;  ///< at the solution, under `counted`; columns are the free parameters
   Eigen::VectorXd scale;        ///< of its columns, System::scale
   double noise = 0.0;           ///< mm a coordinate; the median over postures where it depends on them
   int degrees_of_freedom = 0;
@@ -39,9 +42,9 @@ struct WeakPrior {
 /// arm, and what the fit made of them is the bias of a nearly free direction.
 bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free);
 
-/// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and
-/// certified distances together have the χ² of their degrees of freedom; with a robust loss from the
-/// median absolute deviation), sets the weights accordingly, and solves again until the noise stands.
+/// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and certified
+/// distances together have the χ² of their degrees of freedom), sets the weights accordingly, and solves again until
+/// the noise stands. With a loss robust_fit() goes on from there.
 /// `start` holds the free parameters' start and all others' values; `at_start` the linearisation there under
 /// first_weights(), if it is known already.
 /// No solution: no degree of freedom left, no convergence.

@@ -70,4 +70,37 @@ ArrowFactor::Step ArrowFactor::solve(const Eigen::VectorXd& gradient) const {
   return step;
 }
 
+Eigen::MatrixXd ArrowFactor::half_solved(std::size_t block, const Eigen::Ref<const Eigen::MatrixXd>& rows) const {
+  Eigen::MatrixXd y = rows.transpose();
+  auto common = y.bottomRows(common_.rows());
+  if (block > 0) {
+    const Group& group = groups_[block - 1];
+    auto own = y.topRows(group.own.rows());
+    group.own.transpose().triangularView<Eigen::Lower>().solveInPlace(own);
+    common.noalias() -= group.by_common.transpose() * own;
+  }
+  common_.transpose().triangularView<Eigen::Lower>().solveInPlace(common);
+  return y;
+}
+
+Eigen::MatrixXd ArrowFactor::solved(std::size_t block, const Eigen::MatrixXd& half) const {
+  Eigen::MatrixXd x = half;
+  auto common = x.bottomRows(common_.rows());
+  common_.triangularView<Eigen::Upper>().solveInPlace(common);
+  if (block > 0) {
+    const Group& group = groups_[block - 1];
+    auto own = x.topRows(group.own.rows());
+    own.noalias() -= group.by_common * common;
+    group.own.triangularView<Eigen::Upper>().solveInPlace(own);
+  }
+  return x;
+}
+
+Eigen::MatrixXd ArrowFactor::following(std::size_t block) const {
+  if (block == 0) {
+    return Eigen::MatrixXd(0, common_.cols());
+  }
+  return -groups_[block - 1].own.triangularView<Eigen::Upper>().solve(groups_[block - 1].by_common);
+}
+
 }  // namespace artcal

@@ -32,6 +32,14 @@ class ArrowFactor {
   };
   [[nodiscard]] Step solve(const Eigen::VectorXd& gradient) const;
 
+  /// R⁻ᵀ·aᵀ of rows a = [the unknowns of a block | common] that have no part in other groups, a column each: with Y of
+  /// weighted rows YᵀY is their part of the hat matrix. `block` counts Linearisation::triangles.
+  [[nodiscard]] Eigen::MatrixXd half_solved(std::size_t block, const Eigen::Ref<const Eigen::MatrixXd>& rows) const;
+  /// R⁻¹·y of these, of the block's unknowns and the common ones: with half_solved() their columns of (RᵀR)⁻¹·aᵀ.
+  [[nodiscard]] Eigen::MatrixXd solved(std::size_t block, const Eigen::MatrixXd& half) const;
+  /// How the unknowns of a block follow the common ones where its own gradient stays zero.
+  [[nodiscard]] Eigen::MatrixXd following(std::size_t block) const;
+
  private:
   struct Group {
     Eigen::MatrixXd own;        // upper triangular

@@ -5,14 +5,22 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <boost/math/distributions/students_t.hpp>
 
 #include "identification/judgement.h"
 
 namespace artcal {
 namespace {
 
-constexpr double noises_apart = 2.0;
+// Chance that a step takes any group where none improves anything.
+constexpr double false_alarms = 0.05;
 constexpr std::size_t fewest_placements = 3;
+
+// How many standard errors an improvement must be, one-sided, among `groups` tried (Bonferroni).
+double limit_of(std::size_t placements, std::size_t groups) {
+  const boost::math::students_t distribution(static_cast<double>(placements) - 1.0);
+  return boost::math::quantile(boost::math::complement(distribution, false_alarms / static_cast<double>(groups)));
+}
 
 /// How an arm does on a placement that its identification has not seen.
 struct Unseen {
@@ -129,8 +137,8 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
   std::vector<ParameterGroup> candidates = groups_beside(options.model);
   for (int step = 1; !candidates.empty(); ++step) {
     const auto before = unseen_of(*best);
-    std::optional<Identification> better;
-    std::size_t taken = 0;
+    std::vector<Identification> results;
+    std::vector<std::size_t> judged;  // their trials
     for (auto group = candidates.begin(); group != candidates.end();) {
       IdentifyOptions wider = judged_later;
       wider.model = best->model;
@@ -143,16 +151,23 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
         group = candidates.erase(group);
         continue;
       }
-      ModelTrial trial = described(*result, step);
-      compare(before, unseen_of(*result), trial);
-      const bool worth = trial.improvement > noises_apart * trial.improvement_noise;
-      trial.verdict = worth ? ModelTrial::Verdict::Worth : ModelTrial::Verdict::NotWorth;
-      trials.push_back(trial);
-      if (worth && (!better || trial.left_out_rms < trials[taken].left_out_rms)) {
-        better = std::move(*result);
-        taken = trials.size() - 1;
-      }
+      judged.push_back(trials.size());
+      trials.push_back(described(*result, step));
+      compare(before, unseen_of(*result), trials.back());
+      results.push_back(std::move(*result));
       ++group;
+    }
+    std::optional<Identification> better;
+    std::size_t taken = 0;
+    for (std::size_t i = 0; i < judged.size(); ++i) {
+      ModelTrial& trial = trials[judged[i]];
+      trial.limit = limit_of(before.size(), judged.size());
+      const bool worth = trial.improvement > trial.limit * trial.improvement_noise;
+      trial.verdict = worth ? ModelTrial::Verdict::Worth : ModelTrial::Verdict::NotWorth;
+      if (worth && (!better || trial.left_out_rms < trials[taken].left_out_rms)) {
+        better = std::move(results[i]);
+        taken = judged[i];
+      }
     }
     if (!better) {
       break;
@@ -164,6 +179,7 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
   if (!best->misfits.empty() && !options.accept_misfit) {
     return tl::unexpected(misfit_error(best->misfits, best->attempts));
   }
+  best->left_out_chose_the_model = best->model.size() > options.model.size();
   best->trials = std::move(trials);
   return best;
 }

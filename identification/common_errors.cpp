@@ -63,11 +63,11 @@ Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit,
     const FeatureConstraint& first = constraints.features[distance.first];
     const Eigen::Index at = layout.groups[first.group];
     Eigen::VectorXd slope = Eigen::VectorXd::Zero(layout.size);
-    weighted_distance(distance, constraints, fit.weights.distances[d], fit.unknowns.groups[first.group].values.data(),
+    weighted_distance(distance, constraints, fit.counted.distances[d], fit.unknowns.groups[first.group].values.data(),
                       slope.data() + at);
     // δ = (RᵀR)⁻¹ Jᵀ w·(change of the length), in mm and rad per mm.
     const Eigen::VectorXd answer =
-        fit.weights.distances[d] * scale.cwiseProduct(factor->solve(slope).numbers.tail(common));
+        fit.counted.distances[d] * scale.cwiseProduct(factor->solve(slope).numbers.tail(common));
     const CertifiedDistance& certificate = *certified[certificates[d]];
     of_certificates[certificates[d]].add(first.expansion * certificate.u * answer);
     const double u_expansion = constraints.artefacts[first.artefact].u_expansion;

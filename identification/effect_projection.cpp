@@ -97,7 +97,7 @@ class Projection {
       const FeatureResidual residual(feature, group.reference, group.values.data(), fit_.unknowns.shared.data());
       for (int k = 0; k < feature.size(); k += every_) {
         double* row = rows.row(next).data();
-        weighted_rows(system_, feature, fit_.weights.features[f], sweeps_, residual, k, 1,
+        weighted_rows(system_, feature, fit_.counted.features[f], sweeps_, residual, k, 1,
                       {columns.all(), row + columns.residual_at(), row + block.unknowns + shared,
                        block.unknowns > 0 ? row : nullptr, shared > 0 ? row + block.unknowns : nullptr});
         rows.block(next, columns.effects_at(), feature.dimension(), columns.effects) = slopes_of(f, k, residual);
@@ -106,11 +106,11 @@ class Projection {
     }
     for (const int d : block.distances) {
       rows(next, columns.residual_at()) = weighted_distance(
-          constraints.distances[d], constraints, fit_.weights.distances[d], group.values.data(), rows.row(next).data());
+          constraints.distances[d], constraints, fit_.counted.distances[d], group.values.data(), rows.row(next).data());
       ++next;
     }
     for (int s = 0; block.has_shared && s < shared; ++s) {
-      const double weight = fit_.weights.shared[s];
+      const double weight = fit_.counted.shared[s];
       if (weight > 0.0) {
         rows(next, block.unknowns + s) = weight;
         rows(next, columns.residual_at()) = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
@@ -138,7 +138,7 @@ class Projection {
   // What a unit of each effect does to a reading's weighted residual.
   Eigen::MatrixXd slopes_of(int f, int k, const FeatureResidual& residual) {
     const FeatureConstraint& feature = system_.constraints->features[f];
-    const FeatureWeights& weights = fit_.weights.features[f];
+    const FeatureWeights& weights = fit_.counted.features[f];
     const int reading = feature.readings[k];
     const int dimension = feature.dimension();
     const Sweep& sweep = sweeps_[system_.probes[reading]];

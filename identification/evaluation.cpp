@@ -117,7 +117,7 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
     const double length = length_between(measured[distance.first], measured[distance.second], first.demand);
     evaluation.lengths.push_back({name_of(first, constraints, recording),
                                   name_of(second, constraints, recording).feature, distance.value,
-                                  length - distance.value});
+                                  length - distance.value, distance.u});
   }
   return evaluation;
 }

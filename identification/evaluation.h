@@ -26,6 +26,7 @@ struct LengthDeviation {
   std::string second;      ///< the other feature, same artefact and placement
   double certified = 0.0;  ///< at the temperature of the placement
   double error = 0.0;      ///< measured − certified
+  double u = 0.0;          ///< standard uncertainty of the certified value, mm
 };
 
 /// How well an arm explains readings. Each feature is fitted by itself from the arm's points, so that a

@@ -8,10 +8,11 @@ namespace {
 constexpr int readings_at_once = 32;
 
 // Each reading's residuals by the slope of the loss.
-void reweight(Loss loss, int dimension, Eigen::Ref<Eigen::VectorXd> residuals) {
-  for (Eigen::Index first = 0; first < residuals.size(); first += dimension) {
-    auto reading = residuals.segment(first, dimension);
-    reading *= loss_at(loss, reading.squaredNorm() / dimension).slope;
+void reweight(Loss loss, int dimension, const FeatureWeights& weights, int reading,
+              Eigen::Ref<Eigen::VectorXd> residuals) {
+  for (Eigen::Index first = 0; first < residuals.size(); first += dimension, ++reading) {
+    auto own = residuals.segment(first, dimension);
+    own *= loss_of(loss, own.squaredNorm(), expected_square(weights, reading, dimension)).slope;
   }
 }
 
@@ -58,7 +59,7 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
         auto r = scratch.residuals.head(used);
         r = rows.col(columns - 1).head(used);
         if (loss != Loss::None) {
-          reweight(loss, feature.dimension(), r);
+          reweight(loss, feature.dimension(), weights.features[f], first, r);
         }
         by_group.noalias() += rows.topLeftCorner(used, block.unknowns).transpose() * r;
         by_common.noalias() += rows.block(0, block.unknowns, used, columns - 1 - block.unknowns).transpose() * r;
@@ -68,10 +69,15 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
     for (const int d : block.distances) {
       const double r =
           weighted_distance(constraints.distances[d], constraints, weights.distances[d], values, row.data());
-      by_group += r * row;
+      const double slope =
+          loss_reaches_distances(loss, weights) ? loss_of(loss, r * r, weights.distance_variance[d]).slope : 1.0;
+      by_group += slope * r * row;
     }
     for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
-      by_common[s] += weights.shared[s] * weighted_shared(constraints.shared[s], weights.shared[s], shared[s]);
+      const double r = weighted_shared(constraints.shared[s], weights.shared[s], shared[s]);
+      const double slope =
+          loss_reaches_shared(loss, weights) ? loss_of(loss, r * r, weights.shared_variance[s]).slope : 1.0;
+      by_common[s] += slope * weights.shared[s] * r;
     }
   }
   return sum;

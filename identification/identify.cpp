@@ -6,9 +6,12 @@
 #include <fmt/format.h>
 
 #include "acquisition/tip_centres.h"
-#include "identification/arm_fit.h"
+#include "core/in_quotes.h"
 #include "identification/common_errors.h"
 #include "identification/description.h"
+#include "identification/goodness_of_fit.h"
+#include "identification/group_fit.h"
+#include "identification/influence.h"
 #include "identification/judgement.h"
 #include "identification/leave_out.h"
 #include "identification/outliers.h"
@@ -19,6 +22,13 @@
 namespace artcal {
 namespace {
 
+Redundancy redundancy_at(const Recording& recording, const Constraints& constraints, const ArmFit& fit,
+                         const std::vector<Parameter>& free) {
+  System system = make_system(recording, constraints, fit.arm, free);
+  system.scale = fit.scale;  // of the linearisation's columns
+  return redundancy_of(system, fit.weights, fit.loss_weights, fit.linearisation, fit.arm, fit.unknowns);
+}
+
 // The readings that an arm fitted with a robust loss leaves out, if there is one that fits all others.
 std::vector<std::string> strangers(const Recording& recording, const Constraints& constraints,
                                    IdentifyOptions options) {
@@ -26,7 +36,13 @@ std::vector<std::string> strangers(const Recording& recording, const Constraints
   const auto found = search_solution(recording, constraints, options);
   std::vector<std::string> where;
   if (found && found->misfits.empty()) {
-    for (const Outlier& outlier : find_outliers(recording, constraints, found->fit.residuals, found->after)) {
+    const Redundancy redundancy = redundancy_at(recording, constraints, found->fit, found->preparation.free);
+    const Outliers outliers = find_outliers(recording, constraints, found->fit, redundancy, found->after);
+    for (const CertificateOutlier& outlier : outliers.certificates) {
+      where.push_back(fmt::format("the certified {} of artefact {} ({:+.3g} mm)", quantity_text(outlier),
+                                  in_quotes(outlier.name.artefact), -outlier.deviation));
+    }
+    for (const Outlier& outlier : outliers.readings) {
       where.push_back(fmt::format("{} ({}, {}, {:+.3g} mm)", recording.where(outlier.reading), outlier.name.placement,
                                   outlier.name.feature, outlier.deviation));
     }
@@ -68,8 +84,10 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   Identification result;
   result.arm = fit->arm;
   result.model = options.model;
+  result.fixed_members = std::move(found->fixed);
   result.noise_is_given = options.noise.is_given();
-  judge_noise(*fit, result);
+  const Redundancy redundancy = redundancy_at(recording, constraints, *fit, preparation->free);
+  judge_noise(*fit, goodness_of_fit(constraints, *fit, options.loss, redundancy), result);
   result.covariance = result.enlargement * result.enlargement *
                       (*covariance + common->bottomRightCorner(covariance->rows(), covariance->cols()));
   result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
@@ -89,7 +107,13 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.attempts = found->attempt;
   mark_weak(found->weak, result);
   result.misfits = std::move(found->misfits);
-  result.outliers = find_outliers(recording, constraints, fit->residuals, result.after);
+  Outliers outliers = find_outliers(recording, constraints, *fit, redundancy, result.after);
+  result.outliers = std::move(outliers.readings);
+  result.certificate_outliers = std::move(outliers.certificates);
+  result.influences = influences_of(constraints, *fit, redundancy);
+  if (auto warning = warning_of(result.certificate_outliers, options.loss); !warning.empty()) {
+    result.warnings.push_back(std::move(warning));
+  }
   result.model_study = search_residuals(identified, *fit, recording);
   if (auto warning = warning_of(result.model_study); !warning.empty()) {
     result.warnings.push_back(std::move(warning));
@@ -105,14 +129,12 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     }
     // From the arm found: what one placement less changes is small, and the nominal arm is far.
     const auto identify_without = [&](const Constraints& rest) -> Expected<Arm> {
-      const auto prepared = prepare_from(fit->arm, recording, rest, again);
+      auto prepared = prepare_from(fit->arm, recording, rest, again);
       if (!prepared) {
         return tl::unexpected(prepared.error());
       }
-      const SolveOptions solve_options{options.loss, options.max_iterations};
-      return fit_arm(recording, rest, prepared->start, prepared->free, again.noise, solve_options,
-                     prepared->known_start(), {result.weak, recording.arm})
-          .map([](const ArmFit& refit) { return refit.arm; });
+      return fit_groups(recording, rest, std::move(*prepared), again, {result.weak, recording.arm})
+          .map([](const GroupFit& refit) { return refit.fit.arm; });
     };
     result.left_out = leave_placements_out(recording, constraints, identify_without, options.threads);
   }

@@ -65,6 +65,33 @@ struct Outlier {
   double standardised = 0.0;  ///< length of the residual in standard deviations
   double limit = 0.0;         ///< what chance allows of it
   double deviation = 0.0;     ///< mm
+  double weight = 1.0;        ///< by which the loss made it count, 0 to 1
+};
+
+/// A certified value that the readings contradict by more than chance allows.
+struct CertificateOutlier {
+  FeatureName name;                                 ///< of a distance the first feature; otherwise without a placement
+  std::string second;                               ///< of a distance the other feature
+  std::optional<SharedUnknown::Quantity> quantity;  ///< nothing: a distance
+  double certified = 0.0;                           ///< mm
+  double u = 0.0;                                   ///< standard uncertainty, mm
+  double deviation = 0.0;                           ///< of what all the rest determines from what is certified, mm
+  double standardised = 0.0;                        ///< that in its standard deviations, those of the readings included
+  double limit = 0.0;                               ///< what chance allows of it
+  double weight = 1.0;                              ///< by which the loss made it count, 0 to 1
+};
+
+/// "distance "A" to "B"", "x of "A"".
+std::string quantity_text(const CertificateOutlier& outlier);
+
+/// How much an artefact counts in an identification.
+struct ArtefactInfluence {
+  std::string artefact;
+  int readings = 0;
+  double readings_weight = 0.0;      ///< mean weight that the loss gave them; 1 without a loss
+  int certificates = 0;              ///< certified values: distances by placement, coordinates and radii once
+  double certificates_weight = 0.0;  ///< mean weight that the loss gave them
+  double share = 0.0;  ///< of what determines the arm: its part of the trace of the parameters' hat matrix, 0 to 1
 };
 
 /// One placement judged by an arm that was identified without it.
@@ -80,7 +107,7 @@ struct ModelTrial {
     Start,     ///< what the search began with
     Taken,     ///< its last group was taken into the model
     Worth,     ///< it would have been worth it, but another group was better
-    NotWorth,  ///< placements left out are not better by more than the noise
+    NotWorth,  ///< placements left out are not better by more than chance allows
     Refused,   ///< the readings cannot tell the group, or it makes no sense here
   };
   int step = 0;  ///< groups taken before
@@ -91,6 +118,23 @@ struct ModelTrial {
   double left_out_rms = 0.0;       ///< of readings and lengths of the placements left out, mm
   double improvement = 0.0;        ///< share by which their mean square fell
   double improvement_noise = 0.0;  ///< standard error of that share, from the scatter of the placements
+  double limit = 0.0;              ///< of improvement/improvement_noise: above it the group is worth it
+};
+
+/// A parameter of a model's group that keeps its nominal value although the group is in the model.
+struct FixedMember {
+  enum class Reason {
+    NotIdentifiable,  ///< the readings do not see it, alone or apart from others
+    Undetermined,     ///< its standard uncertainty is beyond what a joint that works can have
+    Implausible,      ///< its estimate is
+    BelowZero,        ///< a compliance, whose estimate is below zero
+  };
+  std::string name;
+  ParameterGroup group = ParameterGroup::Eccentricity;
+  Reason reason = Reason::NotIdentifiable;
+  double estimate = 0.0;  ///< before it was fixed, in the parameter's unit; 0 where there was none
+  double u = 0.0;         ///< its standard uncertainty; 0 where there was none
+  std::string why;        ///< the same in words
 };
 
 struct Identification {
@@ -100,6 +144,7 @@ struct Identification {
   std::vector<std::string> weak;          ///< parameters in the state Weak
   std::vector<std::string> misfits;       ///< why it is no solution (accept_misfit only), see identification/misfit.h
   Model model;
+  std::vector<FixedMember> fixed_members;
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made
   std::vector<IdentifiedParameter> parameters;
   std::vector<int> free;       ///< indices into parameters, in the order of the covariance
@@ -108,12 +153,15 @@ struct Identification {
   std::vector<ArtefactValue> artefact_values;  ///< as Constraints::shared
   Evaluation before, after;
   std::vector<LeftOut> left_out;
+  bool left_out_chose_the_model = false;  ///< the same placements were what identify_automatically() chose groups by
   std::vector<Outlier> outliers;
-  ModelStudy model_study;  ///< whether the residuals hold something that the model lacks
+  std::vector<CertificateOutlier> certificate_outliers;
+  std::vector<ArtefactInfluence> influences;  ///< of each artefact that was read
+  ModelStudy model_study;                     ///< whether the residuals hold something that the model lacks
 
   bool noise_is_given = false;
   double noise = 0.0;        ///< mm a coordinate: given, estimated, or the median over the postures
-  double chi_squared = 0.0;  ///< of the fit against the noise in use
+  double chi_squared = 0.0;  ///< of the fit against the noise in use, by the loss in use (goodness_of_fit())
   int degrees_of_freedom = 0;
   double chi_squared_low = 0.0;  ///< 95 % of sound fits lie between these two
   double chi_squared_high = 0.0;

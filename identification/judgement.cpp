@@ -21,17 +21,17 @@ constexpr std::size_t max_readings_named = 5;
 
 }  // namespace
 
-void judge_noise(const ArmFit& fit, Identification& result) {
+void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result) {
   result.noise = fit.noise;
-  result.degrees_of_freedom = fit.degrees_of_freedom;
-  result.chi_squared = fit.residuals.readings_squared() + fit.residuals.certificates_squared();
-  result.chi_squared_low = chi_squared_quantile(0.025, fit.degrees_of_freedom);
-  result.chi_squared_high = chi_squared_quantile(0.975, fit.degrees_of_freedom);
+  result.degrees_of_freedom = agreement.degrees_of_freedom;
+  result.chi_squared = agreement.chi_squared;
+  result.chi_squared_low = agreement.low;
+  result.chi_squared_high = agreement.high;
   if (!result.noise_is_given) {
     return;
   }
   if (result.chi_squared > result.chi_squared_high) {
-    result.enlargement = std::sqrt(result.chi_squared / fit.degrees_of_freedom);
+    result.enlargement = std::max(1.0, agreement.ratio);
     result.warnings.push_back(
         fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
                     "the noise is larger, or the arm has errors this model does not know; all "
@@ -41,7 +41,7 @@ void judge_noise(const ArmFit& fit, Identification& result) {
     result.warnings.push_back(
         fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
                     "too large, and so are the standard uncertainties",
-                    std::sqrt(result.chi_squared / fit.degrees_of_freedom)));
+                    agreement.ratio));
   }
 }
 
@@ -49,7 +49,8 @@ Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parame
   std::string absurd, names;
   for (const IdentifiedParameter& p : parameters) {
     if (p.state == ParameterState::Identified && p.parameter.is_joint_error() &&
-        !(std::abs(p.identified) <= most_of(p.parameter.kind))) {
+        (!(std::abs(p.identified) <= most_of(p.parameter.kind)) ||
+         (p.parameter.kind == ParameterKind::Compliance && p.identified < 0.0))) {
       absurd += fmt::format("{}{} = {:.3g} with a standard uncertainty of {:.2g}", absurd.empty() ? "" : ", ",
                             p.parameter.name, p.identified, p.u);
       names += (names.empty() ? "" : ",") + p.parameter.name;

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "identification/arm_fit.h"
+#include "identification/goodness_of_fit.h"
 #include "identification/identify.h"
 
 namespace artcal {
 
 /// Whether the residuals are as large as the noise says: writes noise, degrees of freedom, χ² and its limits, the
 /// enlargement and a warning.
-void judge_noise(const ArmFit& fit, Identification& result);
+void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result);
 
 /// No solution: errors that no joint has, since readings that hardly tell them let them run away.
 Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters);

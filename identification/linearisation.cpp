@@ -11,16 +11,20 @@ namespace {
 
 constexpr int readings_at_once = 32;
 
-// Applies a loss to a run of rows whose last column is the residual: returns Σρ − Σρ'·s, the part of the
-// cost that the rows no longer carry.
-double reweight(Loss loss, int dimension, Eigen::Ref<RowMatrix> rows) {
+// Multiplies an observation's rows, whose last column is the residual, by √ρ' and returns Σρ − Σρ'·s, the part of the
+// cost that they no longer carry.
+double reweight(Loss loss, double expected, Eigen::Ref<RowMatrix> rows) {
+  const double squares = rows.rightCols<1>().squaredNorm();
+  const LossValue rho = loss_of(loss, squares, expected);
+  rows *= std::sqrt(rho.slope);
+  return rho.value - squares * rho.slope;
+}
+
+// The same for a run of readings of one feature.
+double reweight(Loss loss, int dimension, const FeatureWeights& weights, int reading, Eigen::Ref<RowMatrix> rows) {
   double beyond = 0.0;
-  for (Eigen::Index first = 0; first < rows.rows(); first += dimension) {
-    auto reading = rows.middleRows(first, dimension);
-    const double s = reading.rightCols<1>().squaredNorm() / dimension;
-    const LossValue rho = loss_at(loss, s);
-    beyond += dimension * (rho.value - s * rho.slope);
-    reading *= std::sqrt(rho.slope);
+  for (Eigen::Index first = 0; first < rows.rows(); first += dimension, ++reading) {
+    beyond += reweight(loss, expected_square(weights, reading, dimension), rows.middleRows(first, dimension));
   }
   return beyond;
 }
@@ -64,27 +68,34 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
           {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
            system.shared_size() > 0 ? rows.data() + block.unknowns : nullptr});
       if (loss != Loss::None) {
-        beyond += reweight(loss, feature.dimension(), rows.topRows(count * feature.dimension()));
+        beyond +=
+            reweight(loss, feature.dimension(), weights.features[f], first, rows.topRows(count * feature.dimension()));
       }
       factor.add(rows.data(), count * feature.dimension());
     }
   }
-  Eigen::RowVectorXd row(columns);
+  RowMatrix row(1, columns);
   for (const int d : block.distances) {
     row.setZero();
-    row[columns - 1] =
+    row(0, columns - 1) =
         weighted_distance(constraints.distances[d], constraints, weights.distances[d], point.values, row.data());
+    if (loss_reaches_distances(loss, weights)) {
+      beyond += reweight(loss, weights.distance_variance[d], row);
+    }
     factor.add(row.data(), 1);
   }
   for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
     row.setZero();
-    row[block.unknowns + s] = weights.shared[s];
-    row[columns - 1] = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
+    row(0, block.unknowns + s) = weights.shared[s];
+    row(0, columns - 1) = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
+    if (loss_reaches_shared(loss, weights)) {
+      beyond += reweight(loss, weights.shared_variance[s], row);
+    }
     factor.add(row.data(), 1);
   }
   Eigen::MatrixXd triangle = factor.triangle();
   double& rest = triangle(columns - 1, columns - 1);
-  rest = std::sqrt(rest * rest + beyond);
+  rest = std::sqrt(std::max(0.0, rest * rest + beyond));  // what a loss takes off may be rounding
   return triangle;
 }
 
@@ -99,18 +110,21 @@ double block_cost(const System& system, const Weights& weights, Loss loss, const
                   FeatureResidual(feature, point.reference, point.values, point.shared), 0, feature.size(),
                   {1, residuals.data()});
     if (loss != Loss::None) {
-      sum += reweight(loss, feature.dimension(), residuals);
+      sum += reweight(loss, feature.dimension(), weights.features[f], 0, residuals);
     }
     sum += residuals.squaredNorm();
   }
   for (const int d : block.distances) {
     const double residual =
         weighted_distance(constraints.distances[d], constraints, weights.distances[d], point.values, nullptr);
-    sum += residual * residual;
+    sum += loss_reaches_distances(loss, weights)
+               ? loss_of(loss, residual * residual, weights.distance_variance[d]).value
+               : residual * residual;
   }
   for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
     const double residual = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
-    sum += residual * residual;
+    sum += loss_reaches_shared(loss, weights) ? loss_of(loss, residual * residual, weights.shared_variance[s]).value
+                                              : residual * residual;
   }
   return sum;
 }

@@ -15,7 +15,8 @@ namespace artcal {
 /// of the unknowns and the arm leaves ½|R δ + z|² exactly as the thousand rows behind it would; its
 /// singular values are the Jacobian's own, not their squares.
 ///
-/// A robust loss enters as in iterated reweighting: each reading's rows are multiplied by √ρ'(s), and what
+/// A robust loss enters as in iterated reweighting: the rows of each reading, and of each distance and shared number
+/// whose variance Weights has, are multiplied by √ρ'(s), and what
 /// the cost ½Σρ has beyond that is added to the last diagonal element, which no step can change (ρ is
 /// concave, so that ρ(s) ≥ s·ρ'(s)).
 struct Linearisation {
@@ -49,6 +50,19 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
 /// Σρ of one block: twice its cost.
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
                   const std::vector<Sweep>& sweeps, const BlockPoint& point);
+
+/// Sum of squares that a loss expects of a reading's weighted residual (see loss_of()).
+inline double expected_square(const FeatureWeights& weights, int reading, int dimension) {
+  return weights.variance.empty() ? dimension : dimension * weights.variance[static_cast<std::size_t>(reading)];
+}
+
+/// Whether a loss is applied to distances and to shared numbers.
+inline bool loss_reaches_distances(Loss loss, const Weights& weights) {
+  return loss != Loss::None && !weights.distance_variance.empty();
+}
+inline bool loss_reaches_shared(Loss loss, const Weights& weights) {
+  return loss != Loss::None && !weights.shared_variance.empty();
+}
 
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const Arm& arm,
                         const Unknowns& unknowns);

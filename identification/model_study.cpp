@@ -34,7 +34,12 @@ std::string in_words(const ModelFinding& finding) {
 std::string warning_of(const ModelStudy& study) {
   constexpr std::size_t most_named = 2;
   if (study.findings.empty()) {
-    return {};
+    return study.implausible == 0
+               ? ""
+               : "the residuals are more than noise, and none of the effects that they were searched for explains them "
+                 "with values that a working joint can have: some other error, of the readings, an artefact or the "
+                 "arm, "
+                 "is in them. No u here knows of that";
   }
   std::string named;
   for (std::size_t i = 0; i < study.findings.size() && i < most_named; ++i) {

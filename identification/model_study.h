@@ -29,11 +29,12 @@ struct ModelTest {
 struct ModelFinding {
   Effect effect = Effect::OncePerTurn;
   int joint = 0;
-  double p = 1.0;            ///< beside what was found before it
-  double amplitude = 0.0;    ///< A, rad (Gain: 1; Warmth: rad/K; Expansion: 1/K); of Gravity the rms turning, rad
-  double u_amplitude = 0.0;  ///< standard uncertainty; 0: none (Gravity)
-  double phase = 0.0;        ///< φ, rad, of the first two
-  double rms_at_tip = 0.0;   ///< how far it moves the readings' tips, mm rms
+  double p = 1.0;             ///< beside what was found before it
+  double amplitude = 0.0;     ///< A, rad (Gain: 1; Warmth: rad/K; Expansion: 1/K); of Gravity the rms turning, rad
+  double u_amplitude = 0.0;   ///< standard uncertainty; 0: none (Gravity)
+  double phase = 0.0;         ///< φ, rad, of the first two
+  double rms_at_tip = 0.0;    ///< how far it moves the readings' tips, mm rms
+  double rms_rotation = 0.0;  ///< how far it turns its joint, their mean taken off, rad rms; of Expansion 0
 };
 
 /// Whether an arm's model explains its readings.
@@ -42,7 +43,10 @@ struct ModelStudy {
   double false_alarms = 0.01;  ///< share of recordings of a sound model in which anything is found (at most)
   int readings = 0;            ///< that were looked at
   std::vector<ModelTest> tests;
-  std::vector<ModelFinding> findings;  ///< the strongest first
+  std::vector<ModelFinding> findings;  ///< the strongest first; only what a joint that works can have
+  /// Effects that explain more of what is left than chance does, but only with values that no joint that works has (a
+  /// compliance below zero, an encoder off by degrees): they are no causes.
+  int implausible = 0;
 };
 
 /// "joint 3: once per turn, 12.3 arcsec · sin(q3 + 41 deg)".

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <Eigen/QR>
 
+#include "acquisition/joint_error_keys.h"
 #include "core/statistics.h"
 #include "identification/effect_projection.h"
 
@@ -15,44 +18,90 @@ namespace {
 constexpr int most_findings = 8;
 constexpr double least_noise = 1e-6;  // mm; below, what is left is rounding
 
+// More than a joint that works turns by without its encoder: rad, rms over the readings, their mean taken off.
+constexpr double most_rotation = 0.01;
+
 /// One family's share of the residuals.
 struct Share {
   ModelTest test;
-  double evidence = 0.0;  ///< n·log(RSS/RSS′) less log n a column (Schwarz 1978): the strongest wins
+  std::vector<int> columns;  ///< of its columns, by index into all, those that explain
+  double p = 1.0;            ///< of what they explain
+  double evidence = 0.0;     ///< n·log(RSS/RSS′) less log n a column (Schwarz 1978): the strongest wins
 };
+
+using PivotedQr = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+
+PivotedQr factored(const Eigen::MatrixXd& columns) {
+  PivotedQr qr(columns.rows(), columns.cols());
+  qr.setThreshold(least_seen);
+  qr.compute(columns);
+  return qr;
+}
+
+double explained_by(const PivotedQr& qr, const Eigen::VectorXd& residuals) {
+  Eigen::VectorXd rotated = residuals;
+  rotated.applyOnTheLeft(qr.householderQ().transpose());
+  return rotated.head(qr.rank()).squaredNorm();
+}
+
+// All columns of a family, or of Gravity those that are left when no coefficient may be below zero: a joint gives way
+// to a weight and never against it. The most negative goes first, until none is.
+std::vector<int> physical_columns(const EffectFamily& family, const Eigen::MatrixXd& columns,
+                                  const Eigen::VectorXd& residuals) {
+  std::vector<int> kept;
+  for (int i = family.first; i < family.first + family.columns; ++i) {
+    if (columns.col(i).norm() >= least_seen) {
+      kept.push_back(i);
+    }
+  }
+  while (family.effect == Effect::Gravity && !kept.empty()) {
+    // The residual is model less truth: what is missing has the other sign.
+    const Eigen::VectorXd coefficients = -factored(columns(Eigen::all, kept)).solve(residuals);
+    Eigen::Index lowest = 0;
+    if (coefficients.minCoeff(&lowest) >= 0.0) {
+      break;
+    }
+    kept.erase(kept.begin() + lowest);
+  }
+  return kept;
+}
 
 std::optional<Share> share_of(const EffectFamily& family, const Eigen::MatrixXd& columns,
                               const Eigen::VectorXd& residuals, double degrees_of_freedom) {
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr = [&] {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> made(columns.middleCols(family.first, family.columns));
-    made.setThreshold(least_seen);
-    return made;
-  }();
+  const Eigen::MatrixXd own = columns.middleCols(family.first, family.columns);
+  const PivotedQr qr = factored(own);
   const auto rank = static_cast<int>(qr.rank());
   const double left = degrees_of_freedom - rank;
-  if (rank == 0 || columns.middleCols(family.first, family.columns).norm() < least_seen || left < 10.0) {
+  if (rank == 0 || own.norm() < least_seen || left < 10.0) {
     return std::nullopt;
   }
-  Eigen::VectorXd turned = residuals;
-  turned.applyOnTheLeft(qr.householderQ().transpose());
-  const double explained = turned.head(rank).squaredNorm();
-  const double rest = turned.tail(turned.size() - rank).squaredNorm();
-  const double f = explained / rank / (rest / left);
-  return Share{{family.effect, family.joint, rank, f, f_probability_above(f, rank, left)},
-               degrees_of_freedom * std::log1p(explained / rest) - rank * std::log(degrees_of_freedom)};
+  const double whole = residuals.squaredNorm();
+  const auto f_of = [&](double explained) { return explained / rank / ((whole - explained) / left); };
+  const double f = f_of(explained_by(qr, residuals));
+  Share share{{family.effect, family.joint, rank, f, f_probability_above(f, rank, left)},
+              physical_columns(family, columns, residuals)};
+  if (!share.columns.empty()) {
+    // Fewer columns explain less: with the degrees of freedom of all of them the test keeps its size.
+    const double explained = explained_by(factored(columns(Eigen::all, share.columns)), residuals);
+    share.p = f_probability_above(f_of(explained), rank, left);
+    share.evidence =
+        degrees_of_freedom * std::log1p(explained / (whole - explained)) - rank * std::log(degrees_of_freedom);
+  }
+  return share;
 }
 
 ModelFinding finding_of(const EffectFamily& family, const Share& share, const Eigen::MatrixXd& columns,
                         const Eigen::VectorXd& residuals, const Searched& searched) {
-  const Eigen::MatrixXd own = columns.middleCols(family.first, family.columns);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(own);
-  qr.setThreshold(least_seen);
-  const auto lengths = searched.lengths.segment(family.first, family.columns);
-  // The residual is model less truth: what is missing has the other sign.
-  const Eigen::VectorXd coefficients = -Eigen::VectorXd(qr.solve(residuals)).cwiseQuotient(lengths);
-  ModelFinding finding{family.effect, family.joint, share.test.p};
-  const double variance = (residuals + own * coefficients.cwiseProduct(lengths)).squaredNorm() /
-                          (searched.degrees_of_freedom - family.columns);
+  const Eigen::MatrixXd own = columns(Eigen::all, share.columns);
+  const Eigen::VectorXd lengths = searched.lengths(share.columns);
+  const Eigen::VectorXd solved = -factored(own).solve(residuals).cwiseQuotient(lengths);
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(family.columns);
+  for (std::size_t i = 0; i < share.columns.size(); ++i) {
+    coefficients[share.columns[i] - family.first] = solved[static_cast<Eigen::Index>(i)];
+  }
+  ModelFinding finding{family.effect, family.joint, share.p};
+  const double variance =
+      (residuals + own * solved.cwiseProduct(lengths)).squaredNorm() / (searched.degrees_of_freedom - family.columns);
   const Eigen::MatrixXd inverse =
       lengths.cwiseInverse().asDiagonal() *
       Eigen::MatrixXd(own.transpose() * own).completeOrthogonalDecomposition().pseudoInverse() *
@@ -63,19 +112,41 @@ ModelFinding finding_of(const EffectFamily& family, const Share& share, const Ei
     squares += (reading.reshaped(3, family.columns) * coefficients).squaredNorm();
   }
   finding.rms_at_tip = std::sqrt(squares / readings);
+  Eigen::VectorXd rotations = searched.turnings.middleRows(family.first, family.columns).transpose() * coefficients;
   if (family.effect == Effect::Gravity) {
-    const auto turnings = searched.turnings.middleRows(family.first, family.columns);
-    finding.amplitude = (turnings.transpose() * coefficients).norm() / std::sqrt(readings);
+    finding.amplitude = rotations.norm() / std::sqrt(readings);
   } else if (family.columns == 2) {
     finding.amplitude = coefficients.norm();
     finding.phase = std::atan2(coefficients[1], coefficients[0]);
-    const Eigen::Vector2d slope = coefficients.normalized();
-    finding.u_amplitude = std::sqrt(variance * slope.dot(inverse * slope));
+    if (share.columns.size() == 2) {
+      const Eigen::Vector2d slope = coefficients.normalized();
+      finding.u_amplitude = std::sqrt(variance * slope.dot(inverse * slope));
+    }
   } else {
     finding.amplitude = coefficients[0];
     finding.u_amplitude = std::sqrt(variance * inverse(0, 0));
   }
+  rotations.array() -= rotations.mean();
+  finding.rms_rotation = rotations.norm() / std::sqrt(readings);
   return finding;
+}
+
+// Whether a joint that works can have it.
+bool is_plausible(const ModelFinding& finding) {
+  const double size = std::abs(finding.amplitude);
+  if (!(finding.rms_rotation <= most_rotation)) {
+    return false;
+  }
+  switch (finding.effect) {
+    case Effect::OncePerTurn:
+    case Effect::TwicePerTurn: return size <= most_of(ParameterKind::Cosine1);
+    case Effect::Gain: return size <= most_of(ParameterKind::Gain);
+    case Effect::Expansion: return size <= most_of(ParameterKind::Expansion);
+    case Effect::Gravity:
+    case Effect::Drift:
+    case Effect::Warmth: break;
+  }
+  return true;
 }
 
 // Takes the family out of the residuals and of all columns.
@@ -112,30 +183,39 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
     std::vector<ModelTest> tests;
     std::vector<std::pair<const EffectFamily*, Share>> shares;
     for (const EffectFamily& candidate : effects.families()) {
-      if (const auto share = share_of(candidate, columns, residuals, degrees_of_freedom)) {
+      if (auto share = share_of(candidate, columns, residuals, degrees_of_freedom)) {
         tests.push_back(share->test);
-        shares.emplace_back(&candidate, *share);
-      }
-    }
-    const double limit = study.false_alarms / static_cast<double>(std::max<std::size_t>(1, tests.size()));
-    std::optional<Share> best;
-    const EffectFamily* family = nullptr;
-    for (const auto& [candidate, share] : shares) {
-      if (share.test.p < limit && (!best || share.evidence > best->evidence)) {
-        best = share;
-        family = candidate;
+        shares.emplace_back(&candidate, std::move(*share));
       }
     }
     if (study.findings.empty()) {
       study.tests = tests;
       study.done = !tests.empty();
     }
-    if (!best) {
+    const double limit = study.false_alarms / static_cast<double>(std::max<std::size_t>(1, tests.size()));
+    study.implausible = 0;
+    const std::pair<const EffectFamily*, Share>* best = nullptr;
+    std::optional<ModelFinding> finding;
+    for (const auto& candidate : shares) {
+      const auto& [family, share] = candidate;
+      if (!(share.p < limit)) {
+        study.implausible += share.test.p < limit ? 1 : 0;
+        continue;
+      }
+      const ModelFinding found = finding_of(*family, share, columns, residuals, searched);
+      if (!is_plausible(found)) {
+        ++study.implausible;
+      } else if (best == nullptr || share.evidence > best->second.evidence) {
+        best = &candidate;
+        finding = found;
+      }
+    }
+    if (best == nullptr) {
       break;
     }
-    study.findings.push_back(finding_of(*family, *best, columns, residuals, searched));
-    remove_family(*family, columns, residuals);
-    degrees_of_freedom -= best->test.columns;
+    study.findings.push_back(*finding);
+    degrees_of_freedom -= best->second.test.columns;
+    remove_family(*best->first, columns, residuals);
   }
   return study;
 }

@@ -34,40 +34,24 @@ bool is_beside(const Parameter& parameter) {
   return parameter.kind == ParameterKind::Radius || parameter.is_joint_error();
 }
 
-Error group_is_lost(const Selection::Group& group, const std::string& combinations, const std::string& advice) {
-  return {ErrorCode::NoSolution,
-          fmt::format("the group {} was asked for, but these readings cannot tell it: {}. {}", name_of(group.group),
-                      combinations, advice),
-          {}};
-}
-
-// Whether the readings tell a group, given which motions are lost.
+// Whether the readings identify any member of a group, given which motions are lost. A member that they do not identify
+// alone is fixed like any other parameter, and the rest of the group stays.
 Expected<void> check_group(const Selection::Group& group, const Coupling& coupling) {
-  std::string lost, combined;
-  std::string names;
+  std::string lost;
   std::size_t count = 0;
   for (const ParameterMotion& motion : coupling.lost) {
-    const std::string& name = coupling.parameters[motion.leading].name;
-    if (!contains(group.members, name)) {
-      continue;
-    }
-    ++count;
-    const std::string words = lost_in_words(coupling, motion);
-    lost += (lost.empty() ? "" : "; ") + words;
-    if ((motion.coefficients.array() != 0.0).count() > 1) {
-      combined += (combined.empty() ? "" : "; ") + words;
-      names += (names.empty() ? "" : ",") + name;
+    if (contains(group.members, coupling.parameters[motion.leading].name)) {
+      ++count;
+      lost += (lost.empty() ? "" : "; ") + lost_in_words(coupling, motion);
     }
   }
-  if (count == group.members.size()) {
-    return tl::unexpected(group_is_lost(group, lost, "Leave it out of the model"));
+  if (count < group.members.size()) {
+    return {};
   }
-  if (!combined.empty()) {
-    return tl::unexpected(
-        group_is_lost(group, combined,
-                      fmt::format("Leave it out of the model, or know these and identify the rest: --hold {}", names)));
-  }
-  return {};
+  return no_solution(
+      fmt::format("the group {} was asked for, but these readings identify no parameter of it: {}. Leave it out of the "
+                  "model",
+                  name_of(group.group), lost));
 }
 
 }  // namespace

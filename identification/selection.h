@@ -44,9 +44,8 @@ Selection of_chain(const Selection& selection);
 CouplingOptions coupling_options(const Selection& selection);
 
 /// Names of the parameters to identify, given what the readings cannot tell.
-/// No solution: a parameter requested to be free is lost; a group of the model is lost, that is, all its members are,
-/// or one of them in combination with other parameters. A member that no reading sees at all (the compliance of a
-/// vertical first axis) is held like any lost parameter.
+/// No solution: a parameter requested to be free is lost; all members of a group are. Single members that the readings
+/// do not identify, alone or in combination with other parameters, are fixed like any lost parameter.
 Expected<std::vector<Parameter>> free_parameters(const Selection& selection, const Coupling& coupling);
 
 }  // namespace artcal

@@ -1,5 +1,6 @@
 #include "identification/solution_search.h"
 
+#include "identification/group_fit.h"
 #include "identification/weak_parameters.h"
 
 #include <cmath>
@@ -17,23 +18,14 @@ constexpr double same_minimum = 1e-3;
 constexpr double sure_noise_ratio = 3.0;
 constexpr int max_realignments = 3;
 
-/// A fit and what it began with.
-struct Fitted {
-  Preparation preparation;
-  ArmFit fit;
-};
+using Fitted = GroupFit;
 
 Expected<Fitted> fitted(Expected<Preparation> preparation, const Recording& recording, const Constraints& constraints,
                         const IdentifyOptions& options, const WeakPrior& prior = {}) {
   if (!preparation) {
     return tl::unexpected(preparation.error());
   }
-  auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise,
-                     SolveOptions{options.loss, options.max_iterations}, preparation->known_start(), prior);
-  if (!fit) {
-    return tl::unexpected(fit.error());
-  }
-  return Fitted{std::move(*preparation), std::move(*fit)};
+  return fit_groups(recording, constraints, std::move(*preparation), options, prior);
 }
 
 Error hardly_determined(const std::vector<std::string>& names, bool scale) {
@@ -111,9 +103,14 @@ Expected<Candidate> candidate_from(Alignment alignment, const Recording& recordi
   }
   auto reasons =
       misfits(fit->fit, *after, constraints, recording.arm, fit->preparation.free, options.noise, options.loss);
-  return Candidate{
-      alignment,      1, std::move(fit->preparation), std::move(fit->fit), std::move(*after), std::move(reasons),
-      std::move(weak)};
+  return Candidate{alignment,
+                   1,
+                   std::move(fit->preparation),
+                   std::move(fit->fit),
+                   std::move(*after),
+                   std::move(reasons),
+                   std::move(weak),
+                   std::move(fit->fixed)};
 }
 
 // By what the least squares made small: the noise that would explain the residuals.

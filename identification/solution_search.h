@@ -19,6 +19,7 @@ struct Candidate {
   Evaluation after;                  ///< of the readings by the arm found
   std::vector<std::string> misfits;  ///< why it is no solution, see misfits(); empty: it is one
   std::vector<std::string> weak;     ///< parameters with a weak prior, because the readings hardly determine them
+  std::vector<FixedMember> fixed;    ///< of the model's groups
 };
 
 /// Tries the initial alignments in their order until a fit is surely the solution: the nominal arm saw its features, or

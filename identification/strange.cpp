@@ -12,6 +12,8 @@ namespace artcal {
 namespace {
 
 constexpr double unusual = 5.0;
+// Standard uncertainties by which a certified length may be off before it must be another length.
+constexpr double beyond_certificate = 10.0;
 
 // The worst of all, where its size is above `far_off` and well above the median; nothing elsewhere.
 template <typename Item, typename Size>
@@ -42,7 +44,11 @@ std::optional<std::string> what_stands_out(const Evaluation& evaluation, double 
   if (auto feature = feature_that_stands_out(evaluation, far_off)) {
     return feature;
   }
-  if (const auto* length = standing_out(evaluation.lengths, far_off, [](const auto& l) { return std::abs(l.error); })) {
+  // Of a length that is known to millimetres only, millimetres say nothing.
+  const auto error = [](const LengthDeviation& length) {
+    return std::abs(length.error) > beyond_certificate * length.u ? std::abs(length.error) : 0.0;
+  };
+  if (const auto* length = standing_out(evaluation.lengths, far_off, error)) {
     return fmt::format(
         "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.6g} mm with an arm "
         "that fits the others (have these features each other's names?)",

@@ -41,11 +41,15 @@ struct Unknowns {
 struct FeatureWeights {
   std::vector<double> scalar;
   std::vector<Eigen::Matrix3d> matrix;
+  /// For a loss: the variance of each reading's weighted residual in a good fit, mean over its components. Empty: 1.
+  std::vector<double> variance{};
 };
 struct Weights {
   std::vector<FeatureWeights> features;  ///< as Constraints::features
   std::vector<double> distances;         ///< as Constraints::distances
   std::vector<double> shared;            ///< as Constraints::shared; 0 where the certificate says nothing
+  /// The same variances of distances and shared; empty: a loss does not reach them.
+  std::vector<double> distance_variance{}, shared_variance{};
 };
 
 /// All that stays the same while a solver moves the arm: readings, constraints, which parameters are free

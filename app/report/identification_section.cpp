@@ -172,12 +172,13 @@ void write_noise(const Json& result, Sheet& sheet) {
 }
 
 void write_outliers(const Json& outliers, Sheet& sheet) {
-  html::Table table("Readings further off than chance allows; they took part like all others", {{"where", false, true},
-                                                                                                {"placement", false},
-                                                                                                {"feature", false},
-                                                                                                {"deviation, mm"},
-                                                                                                {"standard deviations"},
-                                                                                                {"limit"}});
+  html::Table table("Readings further off than chance allows; without a robust loss they took part like all others",
+                    {{"where", false, true},
+                     {"placement", false},
+                     {"feature", false},
+                     {"deviation, mm"},
+                     {"standard deviations"},
+                     {"limit"}});
   for (const Json& outlier : outliers) {
     table.add({shown(text_in(outlier, "where")), shown(text_in(outlier, "placement")),
                shown(text_in(outlier, "feature")), signed_mm(outlier.at("deviation_mm")),
@@ -199,7 +200,13 @@ void write_identification_verdict(const Json& result, Sheet& sheet) {
       mm(result.at("after").at("overall").at("maximum_mm")), mm(result.at("before").at("overall").at("rms_mm")),
       mm(result.at("before").at("overall").at("maximum_mm")));
   if (left.readings > 0) {
-    text += fmt::format(" Expect {} mm rms of new readings.", mm(left.rms));
+    const Json& model = result.at("model");
+    const bool chose = model.contains("chosen_by_left_out") && model.at("chosen_by_left_out").get<bool>();
+    text += chose ? fmt::format(
+                        " Placements left out deviate by {} mm rms; they also chose the model, and new readings "
+                        "may deviate by more.",
+                        mm(left.rms))
+                  : fmt::format(" Expect {} mm rms of new readings.", mm(left.rms));
   }
   if (warnings + outliers > 0) {
     const std::string first = warnings > 0 ? plural(warnings, "warning") : "";

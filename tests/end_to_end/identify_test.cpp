@@ -129,14 +129,18 @@ TEST_F(Identify, ModelsThatMakeNoSenseAreRefused) {
   EXPECT_EQ(thermal.exit_code, 2);
   EXPECT_THAT(thermal.err, HasSubstr("arm_temperature"));
   // The flange hardly turns the tip, which is nearly on its axis: nothing is made of its encoder's first harmonic.
-  const Ended absurd = run(with(bar, {"--model", "dh+eccentricity+gain", "-o", "arm.toml"}));
+  const Ended absurd = run(with(bar, {"--free", "cos_q7,sin_q7", "-o", "arm.toml"}));
   EXPECT_EQ(absurd.exit_code, 4);
   EXPECT_THAT(absurd.err, HasSubstr("no joint that works has such errors"));
-  EXPECT_THAT(absurd.err, HasSubstr("--hold cos_q7,sin_q7"));
+  EXPECT_THAT(absurd.err, HasSubstr("--hold"));
   EXPECT_THAT(names(), ElementsAre("two-socket-bar"));
+  // As members of a group they are fixed, and the group stays.
+  const Ended group = run(with(bar, {"--model", "dh+eccentricity", "--no-leave-out"}));
+  EXPECT_EQ(group.exit_code, 0) << group.err;
+  EXPECT_THAT(group.out, HasSubstr("sin_q7 of the group eccentricity is fixed"));
   const Ended radius = run(with(bar, {"--model", "dh+radius"}));
   EXPECT_EQ(radius.exit_code, 4);
-  EXPECT_THAT(radius.err, HasSubstr("the group radius was asked for, but these readings cannot tell it"));
+  EXPECT_THAT(radius.err, HasSubstr("the group radius was asked for, but these readings identify no parameter of it"));
   write("two-socket-bar/recording.toml", text_of("two-socket-bar/recording.toml") + "\n[identify]\nmodel = \"dh+x\"\n");
   const Ended stated = run(bar);
   EXPECT_EQ(stated.exit_code, 3);

@@ -46,7 +46,7 @@ TEST(AutomaticModel, TakesWhatWasPlanted) {
     EXPECT_EQ(result.trials.front().verdict, Verdict::Start);
     for (const ModelTrial& trial : result.trials) {
       if (trial.verdict == Verdict::Taken) {
-        EXPECT_GT(trial.improvement, 2.0 * trial.improvement_noise);
+        EXPECT_GT(trial.improvement, trial.limit * trial.improvement_noise);
       } else if (trial.verdict == Verdict::Refused) {
         EXPECT_FALSE(trial.refusal.empty());
       }
@@ -70,6 +70,34 @@ TEST(AutomaticModel, LeavesARigidArmAlone) {
     EXPECT_EQ(result.trials.size(), 1u + 9u);
   }
   EXPECT_LE(taken, 1);
+}
+
+// Student's one-sided quantiles at 1 − 0.05/m (scipy.stats.t.ppf) for m = 1 … 6 groups; with two degrees of freedom, of
+// three placements, and five, of six.
+TEST(AutomaticModel, FewPlacementsNeedMoreThanTwiceTheirStandardError) {
+  const double two[] = {2.91998558, 4.30265273, 5.33933279, 6.20534682, 6.96455672, 7.64880394};
+  const double five[] = {2.01504837, 2.57058184, 2.91171049, 3.16338145, 3.36493000, 3.53411070};
+  const Arm arm = light_arm();
+  int taken = 0;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    auto bound = testing::bar_session(arm, testing::true_arm(arm, {}, seed), seed, {}, seed == 3 ? 6 : 3);
+    for (Reading& reading : bound.recording.readings) reading.arm_temperature = Reading::not_read;
+    const Identification result = searched(bound);
+    taken += static_cast<int>(result.model.size());
+    EXPECT_EQ(result.left_out_chose_the_model, !result.model.empty());
+    std::size_t judged = 0;
+    for (const ModelTrial& trial : result.trials) {
+      judged += trial.step == 1 && trial.verdict != Verdict::Refused ? 1 : 0;
+    }
+    ASSERT_GE(judged, 1u);
+    ASSERT_LE(judged, 6u);
+    for (const ModelTrial& trial : result.trials) {
+      if (trial.step == 1 && trial.verdict != Verdict::Refused) {
+        EXPECT_NEAR(trial.limit, (seed == 3 ? five : two)[judged - 1], 1e-6);
+      }
+    }
+  }
+  EXPECT_EQ(taken, 0);
 }
 
 TEST(AutomaticModel, NeedsPlacementsToJudgeBy) {

@@ -122,12 +122,15 @@ TEST(Model, AGroupThatCannotBeToldIsRefusedWithItsCombination) {
   auto warm = bar_session(nominal, nominal, 1, {}, 4, 0.0);
   for (Reading& reading : warm.recording.readings) reading.arm_temperature = 25.0;
   const std::string text = refusal(warm, options_for({ParameterGroup::Thermal}));
-  EXPECT_THAT(text, HasSubstr("the group thermal was asked for, but these readings cannot tell it"));
+  EXPECT_THAT(text, HasSubstr("the group thermal was asked for, but these readings identify no parameter of it"));
   EXPECT_THAT(text, HasSubstr("d3 + 3963.5 expansion3 can be told, expansion3 alone cannot"));
-  // Where one link is known, the rest is what is lost; the message says how to go on.
+  // Where one link is known, its expansion is identified; the others are fixed.
   IdentifyOptions one_known = options_for({ParameterGroup::Thermal});
   one_known.hold = {"d3"};
-  EXPECT_THAT(refusal(warm, one_known), HasSubstr("--hold expansion2,expansion4,expansion5,expansion6"));
+  const Identification one = test::identified(warm, one_known);
+  std::vector<std::string> fixed;
+  for (const FixedMember& member : one.fixed_members) fixed.push_back(member.name);
+  EXPECT_THAT(fixed, ::testing::UnorderedElementsAre("expansion2", "expansion4", "expansion5", "expansion6"));
   one_known.hold = {"d3", "expansion2", "expansion4", "expansion5", "expansion6"};
   EXPECT_EQ(refusal(warm, one_known), "accepted");
   // The same at the reference temperature: nothing of it is seen.
