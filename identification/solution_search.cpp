@@ -29,12 +29,14 @@ Expected<Fitted> fitted(Expected<Preparation> preparation, const Recording& reco
 }
 
 Error hardly_determined(const std::vector<std::string>& names, bool scale) {
-  return {
-      ErrorCode::NoSolution,
-      fmt::format("these readings do not determine {}{}{} well enough for an estimate of the arm: to no better than 10 "
-                  "mm or 3 deg. Take more varied readings, with a certified length among them",
-                  scale ? "the scale of the arm" : "", scale && !names.empty() ? " and " : "", fmt::join(names, ", ")),
-      {}};
+  return {ErrorCode::NoSolution,
+          fmt::format(
+              "these readings do not determine {}{}{} well enough for an estimate of the arm ({}). Take more varied "
+              "readings, with a certified length among them",
+              scale ? "the scale of the arm" : "", scale && !names.empty() ? " and " : "", fmt::join(names, ", "),
+              scale ? "the standard uncertainty of all lengths in proportion is above 0.4 %"
+                    : "standard uncertainties are above 10 mm or 3 deg"),
+          {}};
 }
 
 // Whether a parameter ran away along a direction that the readings hardly determine: further from its nominal value

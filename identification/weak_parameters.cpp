@@ -17,10 +17,9 @@ constexpr double prior_angle = 3.0 * units::degree;  // rad
 // A preferred parameter is fixed where its part in a direction is at least this share of the largest.
 constexpr double good_part = 0.3;
 constexpr double tip_preference = 0.1;
-constexpr double mainly = 0.6;  // cosine
-// An arm whose scale is known to a quarter of a percent or worse is of no use, and its fit is biased (errors in
-// variables): a third of the prior, which leaves 0.8 % to an arm of two links of 0.8 m.
-constexpr double scale_bound = 3.0;
+// An arm whose scale is known worse than to 0.4 % is of no use, and its fit is biased: lengths shrink
+// to absorb noise.
+constexpr double max_scale_uncertainty = 4e-3;
 
 // The higher, the rather fixed: lengths of outer joints first, a before d; never a tip or a scale's only length.
 double preference(const Parameter& parameter) {
@@ -55,6 +54,19 @@ Eigen::VectorXd growth_of(const Arm& arm, const std::vector<Parameter>& free) {
   return growth;
 }
 
+// Whether the relative uncertainty of the common growth of all lengths is above the bound: with the growth g and the
+// covariance C = Σ vᵢvᵢᵀ·(noise/σᵢ)² in prior standard deviations, √(gᵀCg)/|g|².
+bool scale_is_weak(const Eigen::MatrixXd& triangle, const Eigen::VectorXd& growth, double noise) {
+  const double size = growth.squaredNorm();
+  const Svd decomposition = svd(triangle);
+  double variance = 0.0;
+  for (Eigen::Index i = 0; i < decomposition.values.size(); ++i) {
+    const double part = decomposition.right_vectors.col(i).dot(growth);
+    variance += std::pow(noise * part / std::max(decomposition.values[i], 1e-300), 2);
+  }
+  return size > 0.0 && !(std::sqrt(variance) <= max_scale_uncertainty * size);
+}
+
 // Takes one parameter a weak direction, each time from the directions of the parameters left.
 void take_weak(Eigen::MatrixXd triangle, std::vector<Parameter> free, double noise, WeakParameters& weak) {
   while (free.size() > 1) {
@@ -64,8 +76,6 @@ void take_weak(Eigen::MatrixXd triangle, std::vector<Parameter> free, double noi
       break;
     }
     const Eigen::VectorXd direction = decomposition.right_vectors.col(last);
-    const Eigen::VectorXd growth = growth_of(weak.arm, free);
-    weak.scale_is_weak |= std::abs(direction.dot(growth)) > mainly * growth.norm();
     const int index = leading(direction, free);
     weak.names.push_back(free[static_cast<std::size_t>(index)].name);
     free.erase(free.begin() + index);
@@ -92,11 +102,9 @@ Eigen::VectorXd prior_weights(const std::vector<Parameter>& free, const Eigen::V
 
 bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Linearisation& linearisation,
                    const Eigen::VectorXd& scale) {
-  WeakParameters weak{arm, {}};
   const Eigen::VectorXd by_prior = prior_weights(free, scale).cwiseInverse();
-  take_weak(arm_triangle(linearisation, static_cast<int>(free.size())) * by_prior.asDiagonal(), free, scale_bound,
-            weak);
-  return weak.scale_is_weak;
+  return scale_is_weak(arm_triangle(linearisation, static_cast<int>(free.size())) * by_prior.asDiagonal(),
+                       growth_of(arm, free), 1.0);
 }
 
 std::optional<WeakParameters> find_weak_parameters(const Recording& recording, const Constraints& constraints,
@@ -123,7 +131,7 @@ std::optional<WeakParameters> find_weak_parameters(const Recording& recording, c
   const Arm arm = system.arm_at(solution.x.data());
   const Linearisation by_readings = linearise(system, weights, Loss::None, arm, solution.unknowns);
   const Eigen::MatrixXd triangle = arm_triangle(by_readings, system.arm_size()) * by_prior.asDiagonal();
-  WeakParameters weak{arm, {}};
+  WeakParameters weak{arm, {}, scale_is_weak(triangle, growth_of(arm, free), sigma)};
   take_weak(triangle, free, sigma, weak);
   return weak;
 }

@@ -22,12 +22,12 @@ inline Eigen::VectorXd prior_weights(const System& system) { return prior_weight
 struct WeakParameters {
   Arm arm;
   std::vector<std::string> names;
-  bool scale_is_weak = false;  ///< one of the directions is mainly the growth of all lengths in proportion
+  bool scale_is_weak = false;  ///< see is_scale_weak()
 };
 
-/// Whether the readings determine the growth of all lengths in proportion hardly better than a nominal arm does, to a
-/// third of the prior:
-/// `linearisation` is that of a fit without prior, at `arm`, its weights being those of the noise.
+/// Whether the readings determine the growth of all lengths in proportion worse than to 0.4 %
+/// (standard uncertainty): `linearisation` is that of a fit without prior, at `arm`, its weights being those of the
+/// noise.
 bool is_scale_weak(const Arm& arm, const std::vector<Parameter>& free, const Linearisation& linearisation,
                    const Eigen::VectorXd& scale);
 

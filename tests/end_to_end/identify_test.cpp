@@ -56,6 +56,33 @@ TEST_F(Identify, TellsATechnicianWhatCameOut) {
   EXPECT_THAT(names(), ElementsAre("two-socket-bar")) << "nothing is left lying about";
 }
 
+// A diameter that is half of what was touched: residuals of 0.3 mm, which one feature has like the other.
+TEST_F(Identify, AnArmThatDoesNotFitIsFourUnlessAccepted) {
+  take("ball-bar");
+  std::string artefact = text_of("ball-bar/bar.toml");
+  for (auto at = artefact.find("25.4"); at != std::string::npos; at = artefact.find("25.4", at)) {
+    artefact.replace(at, 4, "50.8");
+  }
+  write("ball-bar/bar.toml", artefact);
+  const Ended refused = run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--no-leave-out"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("no arm fits these readings"), HasSubstr("times the stated noise"),
+                                 HasSubstr("--accept-misfit"), Not(HasSubstr("?."))));
+  EXPECT_THAT(names(), ElementsAre("ball-bar"));
+  const Ended accepted = run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--no-leave-out",
+                              "--accept-misfit", "--json", "result.json", "--report", "report.html"});
+  EXPECT_EQ(accepted.exit_code, 0) << accepted.err;
+  EXPECT_THAT(accepted.out, HasSubstr("no solution of its readings"));
+  EXPECT_THAT(text_of("arm.toml"), HasSubstr("misfits = ["));
+  EXPECT_THAT(text_of("report.html"), HasSubstr("no solution of its readings"));
+  const Json result = Json::parse(text_of("result.json"));
+  EXPECT_EQ(result["termination"]["status"], "misfit accepted");
+  EXPECT_FALSE(result["termination"]["misfits"].empty());
+  const auto arm = read_arm_file(file("arm.toml"));
+  ASSERT_TRUE(arm) << arm.error().text();
+  EXPECT_FALSE(arm->identification->misfits.empty());
+}
+
 TEST_F(Identify, WritesTheArmAndTheResult) {
   take("two-socket-bar");
   const Ended ended = run(with(bar, {"-o", "arm.toml", "--json", "r.json"}));
