@@ -82,6 +82,9 @@ Run set_up_fit(CLI::App& parser) {
   parser.add_option("--towards", words.towards, "normals and directions point this way; write --towards=-1,0,0")
       ->delimiter(',')
       ->type_name("X,Y,Z");
+  parser.add_option("--normal", words.normal, "circle: the normal of its plane is known; write --normal=0,0,1")
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
   parser.add_flag("--spatial", words.spatial, "circle: distances to the curve in space, not first onto its plane");
   parser.add_option("--noise", words.noise, "noise of a point, such as \"15 um\"; else estimated");
   parser.add_flag("--robust", words.robust, "find outliers, list them, fit the rest");

@@ -12,10 +12,9 @@ Json diameter_of(const std::optional<double>& radius) { return radius ? Json(2.0
 
 Json options_json(const FitRequest& request) {
   const FitOptions& options = request.options;
-  Json towards = nullptr;
-  if (options.towards) {
-    towards = std::vector<double>(options.towards->begin(), options.towards->end());
-  }
+  const auto vector_or_null = [](const std::optional<Eigen::Vector3d>& vector) {
+    return vector ? Json(std::vector<double>(vector->begin(), vector->end())) : Json(nullptr);
+  };
   return {{"shape", name_of(request.shape)},
           {"unit", request.unit},
           {"criterion", name_of(options.criterion)},
@@ -23,7 +22,8 @@ Json options_json(const FitRequest& request) {
           {"tip_diameter_mm", 2.0 * options.tip_radius},
           {"side", options.side == Side::Inside ? "inside" : "outside"},
           {"circle", options.circle == CircleConvention::Spatial ? "spatial" : "projected"},
-          {"towards", towards},
+          {"normal", vector_or_null(options.circle_normal)},
+          {"towards", vector_or_null(options.towards)},
           {"noise_mm", or_null(options.noise)},
           {"robust", request.robust}};
 }

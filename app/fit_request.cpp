@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -70,9 +71,52 @@ Expected<void> take_lengths(const FitWords& words, FitOptions& options) {
   return {};
 }
 
+Expected<void> take_vector(const char* option, const std::vector<double>& numbers,
+                           std::optional<Eigen::Vector3d>& vector) {
+  if (numbers.empty()) {
+    return {};
+  }
+  if (numbers.size() != 3) {
+    return wrong_usage(fmt::format("{}: found {} numbers, expected three, such as 0,0,1", option, numbers.size()));
+  }
+  vector = Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+  return {};
+}
+
+std::string_view shape_name(Shape shape) { return find_name(shapes, shape); }
+
+// Options that would be passed over in silence, and then be believed to have had an effect.
+Expected<void> check_pairing(const FitWords& words, const FitRequest& request) {
+  const Shape shape = request.shape;
+  if (request.options.circle_normal && shape != Shape::Circle) {
+    return wrong_usage(fmt::format("--normal is for a circle, not for a {}", shape_name(shape)));
+  }
+  if (request.options.circle_normal && words.spatial) {
+    return wrong_usage("--normal states the plane of a circle, --spatial looks for it; leave one of them out");
+  }
+  if (request.options.circle_normal && words.robust) {
+    return wrong_usage(
+        "--normal is not available together with --robust: outliers are looked for in space; leave one out");
+  }
+  if (words.inside && (shape == Shape::Plane || shape == Shape::Line)) {
+    return wrong_usage(fmt::format("--inside is for what is round; a {} has no inside{}", shape_name(shape),
+                                   shape == Shape::Plane ? ", state --towards" : ""));
+  }
+  if (request.options.towards && shape == Shape::Cone) {
+    return wrong_usage("--towards has no meaning for a cone: its direction points from the apex into the opening");
+  }
+  if (request.options.towards && shape == Shape::Sphere && !request.options.fixed_radius) {
+    return wrong_usage("--towards has a meaning for a sphere only together with its --diameter");
+  }
+  if (request.options.noise && request.options.criterion != Criterion::LeastSquares) {
+    return wrong_usage(fmt::format("--noise belongs to least squares: {} gives no uncertainty", words.criterion));
+  }
+  return {};
+}
+
 }  // namespace
 
-std::string_view name_of(Shape shape) { return find_name(shapes, shape); }
+std::string_view name_of(Shape shape) { return shape_name(shape); }
 std::string_view name_of(Criterion criterion) { return find_name(criteria, criterion); }
 std::vector<std::string> shape_names() { return names_of(shapes); }
 std::vector<std::string> criterion_names() { return names_of(criteria); }
@@ -105,13 +149,14 @@ Expected<FitRequest> understand(const FitWords& words) {
   }
   request.options.side = words.inside ? Side::Inside : Side::Outside;
   request.options.circle = words.spatial ? CircleConvention::Spatial : CircleConvention::Projected;
-  if (!words.towards.empty()) {
-    if (words.towards.size() != 3) {
-      return wrong_usage("--towards: expected three numbers, such as 0,0,1");
+  for (const auto& [option, numbers, vector] :
+       {std::tuple("--towards", &words.towards, &request.options.towards),
+        std::tuple("--normal", &words.normal, &request.options.circle_normal)}) {
+    if (auto taken = take_vector(option, *numbers, *vector); !taken) {
+      return tl::unexpected(taken.error());
     }
-    request.options.towards = Eigen::Vector3d(words.towards[0], words.towards[1], words.towards[2]);
   }
-  return request;
+  return check_pairing(words, request).map([&] { return request; });
 }
 
 }  // namespace artcal

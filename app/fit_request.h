@@ -21,7 +21,7 @@ struct FitWords {
   std::string shape, unit, criterion = "least-squares";
   std::string diameter, tip_diameter, noise;  ///< a number with its unit, or empty
   bool inside = false, spatial = false, robust = false;
-  std::vector<double> towards;
+  std::vector<double> towards, normal;
 };
 
 /// The same, understood.

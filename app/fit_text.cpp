@@ -18,6 +18,9 @@ std::string title(const FitReport& report) {
   if (request.options.fixed_radius) {
     text += fmt::format(", diameter {:.6g} mm as stated", 2.0 * *request.options.fixed_radius);
   }
+  if (request.options.circle_normal) {
+    text += ", normal as stated";
+  }
   if (request.options.tip_radius > 0.0) {
     text += fmt::format(", {} by a tip of {:.6g} mm", request.options.side == Side::Inside ? "inside" : "outside",
                         2.0 * request.options.tip_radius);

@@ -55,8 +55,23 @@ Covariance<Circle> plane_part(const Circle& circle, const Covariance<Plane>& pla
   return by_plane * plane * by_plane.transpose();
 }
 
+// A known normal has no uncertainty; the height of the circle is that of the points' centroid.
+Covariance<Plane> known_plane(const Cloud& cloud, double noise) {
+  Covariance<Plane> plane = Covariance<Plane>::Zero();
+  const Eigen::Vector3d& normal = cloud.axes.col(2);
+  plane.topLeftCorner<3, 3>() = noise * noise / cloud.total_weight() * normal * normal.transpose();
+  return plane;
+}
+
+Expected<std::optional<Covariance<Plane>>> plane_of(const Cloud& cloud, const FitOptions& options) {
+  if (options.circle_normal) {
+    return std::nullopt;
+  }
+  return least_squares_plane(cloud, options).map([](const Estimate<Plane>& plane) { return plane.covariance; });
+}
+
 Expected<Estimate<Circle>> projected(const Cloud& cloud, const FitOptions& options) {
-  const auto plane = least_squares_plane(cloud, options);
+  const auto plane = plane_of(cloud, options);
   if (!plane) {
     return tl::unexpected(plane.error());
   }
@@ -66,8 +81,10 @@ Expected<Estimate<Circle>> projected(const Cloud& cloud, const FitOptions& optio
   if (const auto sound = judge(cloud, estimate, unit); !sound) {
     return tl::unexpected(sound.error());
   }
-  if (estimate.covariance && plane->covariance) {
-    *estimate.covariance += plane_part(estimate.feature, *plane->covariance);
+  if (estimate.covariance && options.circle_normal) {
+    *estimate.covariance += plane_part(estimate.feature, known_plane(cloud, *estimate.noise));
+  } else if (estimate.covariance && *plane) {
+    *estimate.covariance += plane_part(estimate.feature, **plane);
   }
   return estimate;
 }

@@ -69,12 +69,16 @@ void centre(Cloud& cloud) {
   }
 }
 
-void find_axes(Cloud& cloud) {
+SmallSvd principal(const Cloud& cloud, const Eigen::Matrix3d& onto) {
   RowReducer<3> reducer;
   for (Eigen::Index i = 0; i < cloud.size(); ++i) {
-    reducer.add(cloud.root_weight(i) * cloud.points.col(i).transpose());
+    reducer.add(cloud.root_weight(i) * (onto * cloud.points.col(i)).transpose());
   }
-  const SmallSvd svd = small_svd(reducer.triangle());
+  return small_svd(reducer.triangle());
+}
+
+void find_axes(Cloud& cloud) {
+  const SmallSvd svd = principal(cloud, Eigen::Matrix3d::Identity());
   cloud.spread = svd.values;
   cloud.axes = svd.right_vectors;
   cloud.axes.col(2) = cloud.axes.col(0).cross(cloud.axes.col(1));
@@ -88,6 +92,17 @@ std::string_view why_flat(int dimensions) {
 
 double Cloud::total_weight() const {
   return root_weights.size() == 0 ? static_cast<double>(size()) : root_weights.squaredNorm();
+}
+
+void turn_axes(Cloud& cloud, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d n = normal.normalized();
+  const SmallSvd across = principal(cloud, Eigen::Matrix3d::Identity() - n * n.transpose());
+  Eigen::Vector3d widest = across.right_vectors.col(0);
+  widest = (widest - n * n.dot(widest)).normalized();
+  cloud.axes << widest, n.cross(widest), n;
+  for (int axis = 0; axis < 3; ++axis) {
+    cloud.spread(axis) = principal(cloud, cloud.axes.col(axis) * cloud.axes.col(axis).transpose()).values(0);
+  }
 }
 
 Eigen::Index first_not_finite(const Points& points) {

@@ -33,6 +33,10 @@ struct Demand {
 /// points span fewer dimensions than demanded, up to the rounding of their coordinates.
 Expected<Cloud> make_cloud(const Points& points, const Eigen::VectorXd& weights, const Demand& demand);
 
+/// The same points, their axes turned: the third along `normal`, the others the principal directions across it.
+/// REQUIRES a normal other than zero.
+void turn_axes(Cloud& cloud, const Eigen::Vector3d& normal);
+
 /// The first point that holds a NaN or an infinity, or -1.
 Eigen::Index first_not_finite(const Points& points);
 

@@ -66,9 +66,12 @@ Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
       return without_tip(std::move(*plain), options);
     }
   }
-  const auto cloud = make_cloud(points, options.weights, demand_for<F>(options));
+  auto cloud = make_cloud(points, options.weights, demand_for<F>(options));
   if (!cloud) {
     return tl::unexpected(cloud.error());
+  }
+  if (options.circle_normal) {
+    turn_axes(*cloud, *options.circle_normal);
   }
   const auto found = estimate_by_criterion<F>(*cloud, before_tip(options));
   if (!found) {

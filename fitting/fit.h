@@ -42,6 +42,9 @@ struct FitOptions {
   /// Standard deviation of a distance of weight one, mm. Without it the residuals tell.
   std::optional<double> noise;
   CircleConvention circle = CircleConvention::Projected;
+  /// Circle, projected: the normal of its plane is known (a drawing, a metrology file), of any length but zero. The
+  /// plane goes through the points' centroid.
+  std::optional<Eigen::Vector3d> circle_normal;
   /// The points are centres of a tip of this radius, mm: the feature is the surface it touched.
   double tip_radius = 0.0;
   Side side = Side::Outside;

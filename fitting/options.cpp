@@ -47,12 +47,25 @@ Expected<void> check_options(const FitOptions& options, const Abilities& abiliti
   if (!(options.tip_radius >= 0.0) || !std::isfinite(options.tip_radius)) {
     return wrong_usage(fmt::format("the tip radius is {} mm, expected zero or more", options.tip_radius));
   }
+  if (options.side == Side::Inside && options.fixed_radius && options.tip_radius >= *options.fixed_radius) {
+    return wrong_usage(fmt::format(
+        "a tip of radius {:.6g} mm does not fit inside a {} of radius {:.6g} mm; is the side right, and the "
+        "tip's diameter?",
+        options.tip_radius, feature, *options.fixed_radius));
+  }
   if (options.tip_radius > 0.0 && !tip) {
     return wrong_usage(fmt::format("a tip radius cannot be taken off a {}: it has no surface", feature));
   }
   if (options.tip_radius > 0.0 && tip_needs_towards && !options.towards) {
     return wrong_usage(
         fmt::format("a {} with a tip radius needs the direction from the material towards the probe", feature));
+  }
+  if (options.circle_normal && (feature != "circle" || options.circle == CircleConvention::Spatial)) {
+    return wrong_usage(fmt::format("a known normal is for a circle that is projected onto its plane, not for a {}{}",
+                                   feature == "circle" ? "spatial " : "", feature));
+  }
+  if (options.circle_normal && !(options.circle_normal->allFinite() && options.circle_normal->norm() > 0.0)) {
+    return wrong_usage("the normal of the circle is zero or not finite");
   }
   if (options.towards && !(options.towards->allFinite() && options.towards->norm() > 0.0)) {
     return wrong_usage("the direction to point towards is zero or not finite");

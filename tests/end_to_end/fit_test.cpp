@@ -154,6 +154,32 @@ TEST_F(Fit, WrongUsageIsExplained) {
   refused({"--shape", "sphere", "--unit", "mm", "--json", ball}, "is an input of this result");
 }
 
+// A bore of radius 9 touched at heights that tilt the plane through its points.
+TEST_F(Fit, ACircleWithAKnownNormal) {
+  std::string points;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.5 * i;
+    points += std::to_string(40.0 + 9.0 * std::cos(angle)) + " " + std::to_string(9.0 * std::sin(angle)) + " " +
+              std::to_string(3.0 * std::cos(angle)) + "\n";
+  }
+  write("bore.xyz", points);
+  const Ended known = fit("bore.xyz", {"--shape", "circle", "--unit", "mm", "--normal=0,0,1"});
+  EXPECT_EQ(known.exit_code, 0) << known.err;
+  EXPECT_THAT(known.out, HasSubstr("circle, least-squares, normal as stated"));
+  EXPECT_THAT(known.out, ContainsRegex("diameter +mm +18\\.0000"));
+  EXPECT_THAT(fit("bore.xyz", {"--shape", "circle", "--unit", "mm"}).out, Not(ContainsRegex("diameter +mm +18\\.0")));
+  for (const auto& [more, sentence] :
+       {std::pair(std::vector<std::string>{"--shape", "plane", "--normal=0,0,1"}, "--normal is for a circle"),
+        std::pair(std::vector<std::string>{"--shape", "circle", "--normal=0,0"}, "expected three"),
+        std::pair(std::vector<std::string>{"--shape", "circle", "--normal=0,0,0"}, "zero"),
+        std::pair(std::vector<std::string>{"--shape", "circle", "--normal=0,0,1", "--spatial"},
+                  "leave one of them out")}) {
+    auto all = more;
+    all.insert(all.end(), {"--unit", "mm"});
+    expect_refusal(fit("bore.xyz", all), 2, sentence);
+  }
+}
+
 TEST_F(Fit, SaysWhichColumnsItRead) {
   EXPECT_THAT(fit(ball, {"--shape", "sphere", "--unit", "mm"}).out,
               HasSubstr("x, y, z from columns 1, 2, 3 of 3, without a header\n"));
@@ -171,6 +197,20 @@ TEST_F(Fit, SaysWhichColumnsItRead) {
   for (const char* columns : {"2,3", "0,1,2", "2,2,3"}) {
     expect_refusal(fit("t.csv", {"--shape", "circle", "--unit", "m", "--columns", columns}), 2, "--columns");
   }
+}
+
+// What would be passed over in silence is refused.
+TEST_F(Fit, OptionsThatCannotBe) {
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& sentence) {
+    auto all = more;
+    all.insert(all.end(), {"--unit", "mm"});
+    expect_refusal(fit(ball, all), 2, sentence);
+  };
+  refused({"--shape", "sphere", "--diameter", "10 mm", "--tip-diameter", "10 mm", "--inside"}, "does not fit inside");
+  refused({"--shape", "plane", "--tip-diameter", "1 mm", "--inside"}, "a plane has no inside");
+  refused({"--shape", "cone", "--towards", "0,0,1"}, "no meaning for a cone");
+  refused({"--shape", "sphere", "--towards", "0,0,1"}, "only together with its --diameter");
+  refused({"--shape", "circle", "--criterion", "minimum-zone", "--noise", "1 um"}, "--noise belongs to least squares");
 }
 
 TEST_F(Fit, WhatThePointsDoNotTellIsNoSolution) {

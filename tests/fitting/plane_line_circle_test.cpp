@@ -5,6 +5,8 @@
 namespace artcal::test {
 namespace {
 
+using Covariance7 = Eigen::Matrix<double, 7, 7>;
+
 Eigen::Matrix3Xd with_noise(Eigen::Matrix3Xd points, double noise) {
   RandomStream random(2, "noise");
   for (auto&& p : points.colwise()) {
@@ -106,6 +108,86 @@ TEST(CircleFit, AShortArcOfTenMetres) {
     ASSERT_TRUE(fitted) << fitted.error().text();
     EXPECT_NEAR(fitted->feature.radius, 10'000.0, 2e-8);
   }
+}
+
+// A bore touched at heights that tilt the plane through the points: with the normal of the drawing the circle is the
+// bore's, without it an oblique section's.
+Eigen::Matrix3Xd touched_obliquely(double noise) {
+  Eigen::Matrix3Xd points(3, 24);
+  for (int i = 0; i < 24; ++i) {
+    const double angle = 0.25 * i;
+    points.col(i) = around({12.0, -7.0, 30.0}, 9.0, angle, 3.0 * std::cos(angle));
+  }
+  return with_noise(points, noise);
+}
+
+TEST(CircleFit, AKnownNormalIsTheCirclesOwn) {
+  FitOptions options;
+  options.circle_normal = 5.0 * a_direction;  // of any length
+  const auto fitted = fit<Circle>(touched_obliquely(0.0), options);
+  ASSERT_TRUE(fitted) << fitted.error().text();
+  EXPECT_NEAR(fitted->feature.radius, 9.0, 1e-12);
+  EXPECT_LT((fitted->feature.normal - a_direction).norm(), 1e-14);
+  EXPECT_LT(off_axis(fitted->feature.centre, {12.0, -7.0, 30.0}, a_direction), 1e-12);
+  EXPECT_LT(fitted->form, 1e-12);
+  EXPECT_GT(fit<Circle>(touched_obliquely(0.0))->form, 0.1);
+}
+
+TEST(CircleFit, AKnownNormalInEveryCriterion) {
+  for (const auto criterion : {Criterion::MinimumZone, Criterion::MinimumCircumscribed, Criterion::MaximumInscribed}) {
+    FitOptions options;
+    options.criterion = criterion;
+    options.circle_normal = -a_direction;
+    options.towards = a_direction;
+    const auto fitted = fit<Circle>(touched_obliquely(0.0), options);
+    ASSERT_TRUE(fitted) << fitted.error().text();
+    EXPECT_NEAR(fitted->feature.radius, 9.0, 1e-9);
+    EXPECT_GT(fitted->feature.normal.dot(a_direction), 0.999999);
+  }
+}
+
+// Against points drawn again and again: no uncertainty of the normal, that of the centre in the plane and of the radius
+// as they scatter.
+TEST(CircleFit, TheCovarianceWithAKnownNormal) {
+  constexpr double noise = 0.01;
+  constexpr int draws = 400;
+  FitOptions options;
+  options.circle_normal = a_direction;
+  options.noise = noise;
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  RandomStream random(3, "draws");
+  const Eigen::Matrix3d frame = a_frame();
+  Covariance7 covariance = Covariance7::Zero();
+  for (int draw = 0; draw < draws; ++draw) {
+    Eigen::Matrix3Xd points = touched_obliquely(0.0);
+    for (auto&& p : points.colwise()) {
+      p += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    }
+    const auto fitted = fit<Circle>(points, options);
+    ASSERT_TRUE(fitted);
+    const Eigen::Vector3d off = frame.transpose() * (fitted->feature.centre - Eigen::Vector3d(12.0, -7.0, 30.0));
+    squares += Eigen::Vector3d(off.x() * off.x(), off.y() * off.y(), std::pow(fitted->feature.radius - 9.0, 2)) / draws;
+    covariance = *fitted->covariance;
+  }
+  const Eigen::Matrix3d of_centre = frame.transpose() * covariance.topLeftCorner<3, 3>() * frame;
+  EXPECT_NEAR(std::sqrt(squares.x() / of_centre(0, 0)), 1.0, 0.1);
+  EXPECT_NEAR(std::sqrt(squares.y() / of_centre(1, 1)), 1.0, 0.1);
+  EXPECT_NEAR(std::sqrt(squares.z() / covariance(6, 6)), 1.0, 0.1);
+  EXPECT_LT((covariance.block<3, 3>(3, 3)).norm(), 1e-20);
+}
+
+TEST(CircleFit, AKnownNormalThatCannotBe) {
+  FitOptions options;
+  options.circle_normal = Eigen::Vector3d::Zero();
+  EXPECT_EQ(fit<Circle>(touched_obliquely(0.0), options).error().code, ErrorCode::Usage);
+  options.circle_normal = a_direction;
+  EXPECT_EQ(fit<Plane>(Shape<Plane>::points(30, 0.0), options).error().code, ErrorCode::Usage);
+  options.circle = CircleConvention::Spatial;
+  EXPECT_EQ(fit<Circle>(touched_obliquely(0.0), options).error().code, ErrorCode::Usage);
+  // Seen from the side, a circle is a line.
+  FitOptions side;
+  side.circle_normal = a_direction.unitOrthogonal();
+  EXPECT_EQ(fit<Circle>(Shape<Circle>::points(30, 0.0), side).error().code, ErrorCode::NoSolution);
 }
 
 TEST(CircleFit, PointsOnALineAreNamed) {
