@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include <tl/expected.hpp>
 
 #include "fitting/segmentation/find_spheres.h"
@@ -9,10 +7,15 @@
 
 namespace artcal::segmentation {
 
-/// A place that may be a sphere's centre, tried: the sphere and its points, or what it is instead; nothing where
-/// it does not even look like a sphere.
-std::optional<tl::expected<FoundSphere, RejectedSphere>> examine(const Points& points, const VoxelGrid& grid,
-                                                                 const Eigen::Vector3d& vote, double radius,
-                                                                 const SphereSearch& search);
+/// A place that may be a sphere's centre.
+struct Candidate {
+  Eigen::Vector3d centre;    ///< as the votes have it, to a fifth of the radius
+  Eigen::Matrix3Xd surface;  ///< centroids of the cubes that voted for it: pieces of its surface, few strays among them
+};
+
+/// A candidate, tried: the sphere and its points, or what it is instead, with the reason.
+tl::expected<FoundSphere, RejectedSphere> examine(const Points& points, const VoxelGrid& grid,
+                                                  const Candidate& candidate, double radius,
+                                                  const SphereSearch& search);
 
 }  // namespace artcal::segmentation

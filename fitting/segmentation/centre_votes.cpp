@@ -43,26 +43,29 @@ bool no_surface(const Patch& patch) {
 
 }  // namespace
 
-Eigen::Matrix3Xd centre_votes(const VoxelGrid& grid, double radius) {
-  std::vector<Eigen::Vector3d> votes;
-  for (const Moments& moments : grid.neighbourhoods()) {
-    if (moments.count < fewest_points) {
+CentreVotes centre_votes(const VoxelGrid& grid, double radius) {
+  CentreVotes votes;
+  std::vector<Eigen::Vector3d> places;
+  const std::vector<Moments> patches = grid.neighbourhoods();
+  for (std::size_t cube = 0; cube < patches.size(); ++cube) {
+    if (patches[cube].count < fewest_points) {
       continue;
     }
-    const Patch patch = patch_of(moments);
+    const Patch patch = patch_of(patches[cube]);
     const double squared_depth = radius * radius - patch.variances.sum();
     if (no_surface(patch) || too_flat(patch, radius) || squared_depth <= 0.0) {
       continue;
     }
     const Eigen::Vector3d way = std::sqrt(squared_depth) * patch.normal;
-    votes.emplace_back(patch.centroid - way);
-    votes.emplace_back(patch.centroid + way);
+    places.emplace_back(patch.centroid - way);
+    places.emplace_back(patch.centroid + way);
+    votes.cubes.insert(votes.cubes.end(), 2, cube);
   }
-  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(votes.size()));
-  for (std::size_t i = 0; i < votes.size(); ++i) {
-    columns.col(static_cast<Eigen::Index>(i)) = votes[i];
+  votes.places.resize(3, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    votes.places.col(static_cast<Eigen::Index>(i)) = places[i];
   }
-  return columns;
+  return votes;
 }
 
 }  // namespace artcal::segmentation

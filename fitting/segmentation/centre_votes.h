@@ -8,18 +8,23 @@
 
 namespace artcal::segmentation {
 
-/// Where the centres of spheres of this radius may be, one column a vote, about grid.origin(): each patch of
-/// surface (a cube with its neighbours) votes for the two points that lie from its centroid along its normal
-/// at √(R² − trace of the patch's covariance), which for a piece of a sphere is exact. The patches of a sphere
+/// Where the centres of spheres of one radius may be.
+struct CentreVotes {
+  Eigen::Matrix3Xd places;         ///< one column a vote, about grid.origin()
+  std::vector<std::size_t> cubes;  ///< the cube that each vote comes from
+};
+
+/// Each patch of surface (a cube with its neighbours) votes for the two points that lie from its centroid along its
+/// normal at √(R² − trace of the patch's covariance), which for a piece of a sphere is exact. The patches of a sphere
 /// agree, those of a plane or a cylinder do not. Patches flatter than a sphere of that radius can be have no vote.
-Eigen::Matrix3Xd centre_votes(const VoxelGrid& grid, double radius);
+CentreVotes centre_votes(const VoxelGrid& grid, double radius);
 
 struct VotePeak {
-  Eigen::Vector3d centre;  ///< mean of the votes that agree, about the same origin
-  int votes = 0;
+  Eigen::Vector3d centre;          ///< mean of the votes that agree, about the same origin
+  std::vector<std::size_t> cubes;  ///< that they come from
 };
 
 /// Places where at least `fewest` votes lie within `radius`/5, strongest first, no two nearer than `radius`.
-std::vector<VotePeak> vote_peaks(const Eigen::Matrix3Xd& votes, double radius, int fewest);
+std::vector<VotePeak> vote_peaks(const CentreVotes& votes, double radius, int fewest);
 
 }  // namespace artcal::segmentation

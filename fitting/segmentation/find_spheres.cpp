@@ -16,7 +16,7 @@ namespace {
 
 using namespace segmentation;
 
-constexpr std::size_t most_rejected = 20;
+constexpr std::size_t most_rejected = 200;
 constexpr std::size_t most_candidates = 400;
 constexpr int fewest_fine_votes = 8;
 constexpr int fewest_coarse_votes = 5;
@@ -41,23 +41,21 @@ Expected<void> check(const Points& points, const SphereSearch& search) {
 
 // Places worth a try: where patches of a quarter of the radius agree, and, for scans whose points are too far
 // apart for these, patches of a half.
-std::vector<Eigen::Vector3d> candidates(const VoxelGrid& grid, double radius) {
-  std::vector<Eigen::Vector3d> places;
+std::vector<Candidate> candidates(const VoxelGrid& grid, double radius) {
+  std::vector<Candidate> places;
   const auto add = [&](const VoxelGrid& level, int fewest) {
     for (const VotePeak& peak : vote_peaks(centre_votes(level, radius), radius, fewest)) {
-      const bool known = std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& place) {
-        return (place - peak.centre).norm() < 0.3 * radius;
+      const Eigen::Vector3d centre = grid.origin() + peak.centre;
+      const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
+        return (place.centre - centre).norm() < 0.3 * radius;
       });
       if (!known && places.size() < most_candidates) {
-        places.push_back(peak.centre);
+        places.push_back({centre, level.centroids_of(peak.cubes)});
       }
     }
   };
   add(grid, fewest_fine_votes);
   add(grid.coarsened(), fewest_coarse_votes);
-  for (auto& place : places) {
-    place += grid.origin();
-  }
   return places;
 }
 
@@ -123,12 +121,12 @@ Expected<SphereSearchResult> find_spheres(const Points& points, const SphereSear
     if (!grid) {
       return tl::unexpected(grid.error());
     }
-    for (const Eigen::Vector3d& place : candidates(*grid, radius)) {
-      auto found = examine(points, *grid, place, radius, search);
-      if (found && *found) {
-        result.spheres.push_back(std::move(**found));
-      } else if (found) {
-        result.rejected.push_back(std::move(found->error()));
+    for (const Candidate& candidate : candidates(*grid, radius)) {
+      auto found = examine(points, *grid, candidate, radius, search);
+      if (found) {
+        result.spheres.push_back(std::move(*found));
+      } else {
+        result.rejected.push_back(std::move(found.error()));
       }
     }
   }

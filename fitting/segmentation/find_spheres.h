@@ -50,7 +50,7 @@ struct RejectedSphere {
 
 struct SphereSearchResult {
   std::vector<FoundSphere> spheres;      ///< most points first
-  std::vector<RejectedSphere> rejected;  ///< those with most points first, at most 20
+  std::vector<RejectedSphere> rejected;  ///< every place tried and not taken, most points first, at most 200
 };
 
 /// Finds the spheres of known radius in a scan: the points of each, and only those. Stems, tables, mixed pixels

@@ -38,21 +38,26 @@ double explained(const Square& normal, const Row& pull, int count) {
 double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, double radius) {
   constexpr int round_terms = 4;
   constexpr int other_terms = terms - round_terms;
+  // What leaves the sphere slowly is cut off where it leaves the noise, and what is left of it looks round. So what
+  // lies a little farther off counts too: of a ball that are few points, of a ring or a cone that it touches many.
+  constexpr double beside = 0.025;
   constexpr double beyond_chance = 8.0;  // F with 5 degrees of freedom: one in thousands, also with few points
   Square normal = Square::Zero();
   Row pull = Row::Zero();
   double squares = 0.0;
+  int count = 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    if (surface.is_own[static_cast<std::size_t>(i)] != 0) {
-      const Eigen::Vector3d way = points.col(i) - surface.settled.centre;
-      const double d = way.norm() - radius;
+    const Eigen::Vector3d way = points.col(i) - surface.settled.centre;
+    const double d = way.norm() - radius;
+    if (surface.is_own[static_cast<std::size_t>(i)] != 0 || std::abs(d) < beside * radius) {
+      ++count;
       const Row row = harmonics(way.normalized());
       normal.noalias() += row * row.transpose();
       pull += d * row;
       squares += d * d;
     }
   }
-  const int freedom = surface.count - terms;
+  const int freedom = count - terms;
   if (freedom <= 0) {
     return 0.0;
   }
@@ -60,7 +65,7 @@ double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, doub
   const double part = all - explained(normal, pull, round_terms);
   const double variance = std::max(0.0, squares - all) / freedom;
   const bool may_be_chance = part <= beyond_chance * other_terms * variance;
-  return may_be_chance ? 0.0 : std::sqrt(std::max(0.0, part - other_terms * variance) / surface.count);
+  return may_be_chance ? 0.0 : std::sqrt(std::max(0.0, part - other_terms * variance) / count);
 }
 
 }  // namespace artcal::segmentation

@@ -2,9 +2,11 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include "core/statistics.h"
 #include "fitting/segmentation/direction_cells.h"
+#include "fitting/segmentation/sphere_coverage.h"
 #include "fitting/segmentation/surface_points.h"
 
 namespace artcal::segmentation {
@@ -100,26 +102,29 @@ Eigen::Vector3d fitted_centre(const Eigen::Matrix3Xd& points, const std::vector<
   return centre;
 }
 
-// The part of the sphere whose cells hold points.
-double share_seen(const Eigen::Matrix3Xd& points, const Surface& surface, double points_per_cell) {
-  const DirectionCells cells(std::clamp(static_cast<int>(std::sqrt(surface.count / (6.0 * points_per_cell))), 1, 64));
-  std::vector<char> seen(cells.size(), 0);
-  for (std::size_t i = 0; i < surface.is_own.size(); ++i) {
-    if (surface.is_own[i] != 0) {
-      seen[cells.cell_of(points.col(static_cast<Eigen::Index>(i)) - surface.settled.centre)] = 1;
+// How much of the sphere its own points show; some thousand of them are enough to see that.
+double coverage_of(const Eigen::Matrix3Xd& points, const Surface& surface) {
+  constexpr int enough = 20'000;
+  const int step = std::max(1, surface.count / enough);
+  std::vector<Eigen::Index> own;
+  for (int i = 0, k = 0; i < static_cast<int>(surface.is_own.size()); ++i) {
+    if (surface.is_own[static_cast<std::size_t>(i)] != 0 && k++ % step == 0) {
+      own.push_back(i);
     }
   }
-  double share = 0.0;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    share += seen[c] != 0 ? cells.share(c) : 0.0;
-  }
-  return share;
+  return sphere_coverage(points(Eigen::all, own).colwise() - surface.settled.centre);
 }
 
-// Six points in each cell that is seen: hardly one between points is empty, and the border is followed closely.
-double coverage_of(const Eigen::Matrix3Xd& points, const Surface& surface) {
-  constexpr double per_cell = 6.0;
-  return share_seen(points, surface, per_cell * share_seen(points, surface, per_cell));
+double narrowest_extent(const Eigen::Matrix3Xd& points, const Surface& surface) {
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (surface.is_own[static_cast<std::size_t>(i)] != 0) {
+      const Eigen::Vector3d u = (points.col(i) - surface.settled.centre).normalized();
+      squares.noalias() += u * u.transpose();
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares / std::max(1, surface.count));
+  return std::sqrt(std::max(0.0, eigen.eigenvalues()(0)));
 }
 
 }  // namespace
@@ -181,6 +186,7 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
     surface.settled.noise = std::max(1e-12 * radius, sigma_per_median() * median_or(own_distances, noise));
   }
   surface.coverage = coverage_of(points, surface);
+  surface.narrowest = narrowest_extent(points, surface);
   return surface;
 }
 

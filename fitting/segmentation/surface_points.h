@@ -24,6 +24,9 @@ struct Surface {
   int count = 0;             ///< of them
   Settled settled;
   double coverage = 0.0;  ///< share of the sphere that they cover
+  /// Root mean square of the points' distances from the plane through the centre that they are nearest to, of the
+  /// radius: a cap of 20 degrees has 0.17, a ring next to nothing.
+  double narrowest = 0.0;
 };
 
 /// A point is the sphere's own if it lies within four standard deviations of it, and if the cell of directions
@@ -33,6 +36,7 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
 
 /// How far the surface is from round beyond what noise makes of it: the root mean square of the part of the distances
 /// that a quadric would explain (an ellipsoid, a cylinder, a cone that touches), mm; 0 where that part may be chance.
+/// The surface's own points count, and all others within a fortieth of the radius of it.
 double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, double radius);
 
 }  // namespace artcal::segmentation

@@ -22,7 +22,8 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr local_floats(const Eigen::Matrix3Xd& points,
 
 }  // namespace
 
-std::vector<VotePeak> vote_peaks(const Eigen::Matrix3Xd& votes, double radius, int fewest) {
+std::vector<VotePeak> vote_peaks(const CentreVotes& all, double radius, int fewest) {
+  const Eigen::Matrix3Xd& votes = all.places;
   std::vector<VotePeak> peaks;
   if (votes.cols() < fewest) {
     return peaks;
@@ -49,10 +50,13 @@ std::vector<VotePeak> vote_peaks(const Eigen::Matrix3Xd& votes, double radius, i
     if (!taken) {
       std::sort(agreeing[i].begin(), agreeing[i].end());  // the sum below must not depend on the tree
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      VotePeak peak;
       for (const int j : agreeing[i]) {
         sum += votes.col(j);
+        peak.cubes.push_back(all.cubes[static_cast<std::size_t>(j)]);
       }
-      peaks.push_back({sum / static_cast<double>(agreeing[i].size()), static_cast<int>(agreeing[i].size())});
+      peak.centre = sum / static_cast<double>(agreeing[i].size());
+      peaks.push_back(std::move(peak));
     }
   }
   return peaks;

@@ -132,12 +132,13 @@ void VoxelGrid::visit_around(const Eigen::Vector3d& centre, double radius, const
   }
 }
 
-Eigen::Matrix3Xd VoxelGrid::centroids_within(const Eigen::Vector3d& centre, double radius) const {
-  std::vector<Eigen::Vector3d> found;
-  visit_around(centre, radius,
-               [&](std::size_t cube) { found.emplace_back(origin_ + moments_[cube].sum / moments_[cube].count); });
-  return Eigen::Matrix3Xd::Map(found.empty() ? nullptr : found.front().data(), 3,
-                               static_cast<Eigen::Index>(found.size()));
+Eigen::Matrix3Xd VoxelGrid::centroids_of(const std::vector<std::size_t>& cubes) const {
+  Eigen::Matrix3Xd centroids(3, static_cast<Eigen::Index>(cubes.size()));
+  for (std::size_t i = 0; i < cubes.size(); ++i) {
+    const Moments& moments = moments_[cubes[i]];
+    centroids.col(static_cast<Eigen::Index>(i)) = origin_ + moments.sum / moments.count;
+  }
+  return centroids;
 }
 
 std::vector<int> VoxelGrid::within(const Points& points, const Eigen::Vector3d& centre, double radius) const {

@@ -48,8 +48,8 @@ class VoxelGrid {
   [[nodiscard]] std::vector<Moments> neighbourhoods() const;
   /// Cubes of twice the edge; they know no points.
   [[nodiscard]] VoxelGrid coarsened() const;
-  /// Centroids of the cubes that reach within `radius` of `centre`.
-  [[nodiscard]] Eigen::Matrix3Xd centroids_within(const Eigen::Vector3d& centre, double radius) const;
+  /// Centroids of these cubes, in the frame of the points.
+  [[nodiscard]] Eigen::Matrix3Xd centroids_of(const std::vector<std::size_t>& cubes) const;
   /// Columns of the points within `radius` of `centre`, ascending; `points` are those the grid was made of.
   [[nodiscard]] std::vector<int> within(const Points& points, const Eigen::Vector3d& centre, double radius) const;
 
