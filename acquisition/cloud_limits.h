@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "acquisition/point_cloud.h"
+#include "acquisition/read_cloud.h"
 #include "core/file_bytes.h"
 
 namespace artcal {

@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-Expected<CsvReader> CsvReader::open(const TextFile& file) {
+Expected<CsvReader> CsvReader::open(const TextFile& file, const HeaderKind& kind) {
   CsvReader reader(file);
   const auto found = reader.read_row();
   if (!found) {
@@ -36,16 +36,19 @@ Expected<CsvReader> CsvReader::open(const TextFile& file) {
                      reader.path_);
   }
   reader.header_.assign(reader.fields_.begin(), reader.fields_.end());
-  if (auto checked = reader.check_header(); !checked) {
+  if (auto checked = reader.check_header(kind); !checked) {
     return tl::unexpected(checked.error());
   }
   return reader;
 }
 
-Expected<void> CsvReader::check_header() {
+Expected<void> CsvReader::check_header(const HeaderKind& kind) {
   if (header_.size() == 1 && (row_.find(';') != std::string_view::npos || row_.find('\t') != std::string_view::npos)) {
     return bad_input("the columns are separated by semicolons or tabs, expected commas (and a point in numbers)",
                      where(0));
+  }
+  if (const std::string wrong = kind(header_); !wrong.empty()) {
+    return bad_input(wrong, where(0));
   }
   std::unordered_set<std::string_view> known;
   for (std::size_t i = 0; i < header_.size(); ++i) {
@@ -67,6 +70,8 @@ std::optional<std::size_t> CsvReader::column(std::string_view name) const {
 std::string CsvReader::where(std::size_t column) const {
   return where_byte(column < starts_.size() ? starts_[column] : 0);
 }
+
+std::string CsvReader::where_line() const { return fmt::format("{}:{}", path_, line_); }
 
 std::string CsvReader::where_byte(std::size_t offset) const {
   return fmt::format("{}:{}:{}", path_, line_, character_count(row_.substr(0, offset)) + 1);
@@ -112,6 +117,8 @@ Expected<bool> CsvReader::read_row() {
     }
     const std::size_t end = rest_.find('\n');
     row_ = rest_.substr(0, end);
+    ends_open_ = end == std::string_view::npos && !row_.empty() && trimmed(row_.substr(row_.size() - 1)) != "" &&
+                 row_.back() != '"';
     row_.remove_suffix(row_.size() - row_.find_last_not_of(" \t\r") - 1);  // npos + 1 is 0: all blank
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     line_ = next_line_++;
@@ -138,6 +145,9 @@ Expected<bool> CsvReader::read_row() {
 
 Expected<bool> CsvReader::next() {
   auto found = read_row();
+  if (found && *found) {
+    watch_.row(fields_.back(), ends_open_);
+  }
   if (found && *found && fields_.size() != header_.size()) {
     return bad_input(
         fmt::format("the line has {} fields, expected {} as in the header", fields_.size(), header_.size()), where(0));

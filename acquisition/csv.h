@@ -1,11 +1,13 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "acquisition/cut_off.h"
 #include "core/error.h"
 #include "core/text_file.h"
 
@@ -17,7 +19,12 @@ class CsvReader {
  public:
   /// Reads the header. Refused: no header, an empty or a doubled column name, another separator.
   /// The file must outlive the reader.
-  static Expected<CsvReader> open(const TextFile& file);
+  static Expected<CsvReader> open(const TextFile& file) {
+    return open(file, [](const auto&) { return ""; });
+  }
+  /// Why a header is none of the expected kind of table, empty where it is one: asked before anything in it is quoted.
+  using HeaderKind = std::function<std::string(const std::vector<std::string>&)>;
+  static Expected<CsvReader> open(const TextFile& file, const HeaderKind& kind);
 
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const;
@@ -25,6 +32,9 @@ class CsvReader {
   /// Reads the next row; false at the end. A row with another number of fields than the header is an
   /// error.
   Expected<bool> next();
+
+  /// After the last row: a table that was cut off in its last number (acquisition/cut_off.h), or warnings.
+  [[nodiscard]] Expected<std::vector<std::string>> check_end() const { return watch_.judge(where_line()); }
 
   /// REQUIRES: column < header().size(), and next() returned true.
   [[nodiscard]] std::string_view field(std::size_t column) const { return fields_[column]; }
@@ -36,11 +46,12 @@ class CsvReader {
   [[nodiscard]] std::string where(std::size_t column) const;
 
  private:
-  explicit CsvReader(const TextFile& file) : path_(file.path.string()), rest_(file.text) {}
+  explicit CsvReader(const TextFile& file) : path_(file.path.string()), rest_(file.text), watch_(file.text) {}
+  [[nodiscard]] std::string where_line() const;
   [[nodiscard]] std::string where_byte(std::size_t offset) const;
   Expected<bool> read_row();
   Expected<void> read_field();
-  Expected<void> check_header();
+  Expected<void> check_header(const HeaderKind& kind);
 
   std::string path_;
   std::string_view rest_;
@@ -48,6 +59,8 @@ class CsvReader {
   std::vector<std::string> header_;
   std::vector<std::string_view> fields_;
   std::vector<std::size_t> starts_;
+  CutOffWatch watch_;
+  bool ends_open_ = false;            // the text ends within this row's last field
   std::deque<std::string> unquoted_;  // owns fields whose doubled quotes had to be undone
   int line_ = 0;
   int next_line_ = 1;

@@ -59,6 +59,7 @@ Expected<PointCloud> read_ascii(Pcd& pcd, const CloudUnits& units) {
         pcd.path);
   }
   TextRows rows(pcd.body(), pcd.path, header.lines + 1, TextRows::Separator::Blanks);
+  rows.allow_quotes();
   CloudBuilder builder(units, pcd.fields.size(), header.points);
   CloudColumns columns;
   for (const std::size_t field : pcd.fields) {
@@ -82,6 +83,11 @@ Expected<PointCloud> read_ascii(Pcd& pcd, const CloudUnits& units) {
   if (rows.next()) {
     return bad_input(fmt::format("{}, but the file goes on after them", promise(header)), rows.where());
   }
+  const auto end = rows.check_end();
+  if (!end) {
+    return tl::unexpected(end.error());
+  }
+  pcd.warnings.insert(pcd.warnings.end(), end->begin(), end->end());
   return std::move(builder).finish(pcd.file, std::move(pcd.warnings));
 }
 

@@ -53,6 +53,7 @@ Expected<void> find_vertex(Ply& ply, const CloudUnits& units) {
 Expected<PointCloud> read_ascii(Ply& ply, const CloudUnits& units) {
   const std::string_view body = std::string_view(ply.file.bytes).substr(ply.header.body);
   TextRows rows(body, ply.path, ply.header.lines + 1, TextRows::Separator::Blanks);
+  rows.allow_quotes();
   for (const PlyElement& before : ply.header.elements) {
     if (&before == ply.vertex) {
       break;
@@ -87,6 +88,11 @@ Expected<PointCloud> read_ascii(Ply& ply, const CloudUnits& units) {
     return bad_input(fmt::format("the header promises {} points, but the file goes on after them", ply.vertex->count),
                      rows.where());
   }
+  const auto end = rows.check_end();
+  if (!end) {
+    return tl::unexpected(end.error());
+  }
+  ply.warnings.insert(ply.warnings.end(), end->begin(), end->end());
   return std::move(builder).finish(ply.file, std::move(ply.warnings));
 }
 

@@ -7,11 +7,10 @@
 
 #include "acquisition/cloud_formats.h"
 #include "acquisition/cloud_limits.h"
+#include "core/size_limits.h"
 
 namespace artcal {
 namespace {
-
-constexpr std::size_t most_bytes = std::size_t{16} << 30;
 
 // Formats of scans that are not read, by their first bytes.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -85,7 +84,7 @@ Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUni
 
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns,
                                const CloudLimits& limits) {
-  return read_file_bytes(path, most_bytes, "a point file").and_then([&](const FileBytes& file) {
+  return read_file_bytes(path, largest::points, "a point file").and_then([&](const FileBytes& file) {
     return parse_within(file, units, columns, limits);
   });
 }

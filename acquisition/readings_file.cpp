@@ -11,7 +11,9 @@
 #include <fmt/ranges.h>
 
 #include "acquisition/csv.h"
+#include "acquisition/csv_text.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -45,6 +47,19 @@ struct Columns {
 bool some_but_not_all(const std::array<Columns::Column, 3>& columns) {
   const auto& [x, y, z] = columns;
   return x.has_value() != y.has_value() || x.has_value() != z.has_value();
+}
+
+bool is_known(const std::string& name) {
+  return joint_number(name) > 0 || std::find(known_columns.begin(), known_columns.end(), name) != known_columns.end();
+}
+
+// The path may lead to any file of this computer, whose content no message is to show.
+std::string why_no_table(const std::vector<std::string>& header) {
+  const bool is_table = std::any_of(header.begin(), header.end(), is_known);
+  return is_table
+             ? ""
+             : fmt::format("this is no table of readings: its first line names none of the columns q1, q2, … and {}",
+                           fmt::join(known_columns, ", "));
 }
 
 Expected<Columns> find_columns(const CsvReader& csv, const Arm& arm) {
@@ -112,11 +127,24 @@ Expected<double> optional_number(const CsvReader& csv, Columns::Column column, d
 }
 
 int label(Labels& labels, const CsvReader& csv, Columns::Column column) {
-  return labels.index_of(column ? csv.field(*column) : std::string_view{});
+  return labels.index_of(column ? without_guard(csv.field(*column)) : std::string_view{});
+}
+
+Expected<void> check_labels(const CsvReader& csv, const Columns& columns) {
+  for (const auto& column :
+       {columns.artefact, columns.placement, columns.feature, columns.orientation, columns.repeat, columns.probe}) {
+    if (column && csv.field(*column).size() > largest::name && character_count(csv.field(*column)) > largest::name) {
+      return bad_input(
+          fmt::format("column {}: found the label {} of {} characters, expected at most {}", csv.header()[*column],
+                      in_quotes(csv.field(*column)), character_count(csv.field(*column)), largest::name),
+          csv.where(*column));
+    }
+  }
+  return {};
 }
 
 Expected<int> find_probe(const CsvReader& csv, Columns::Column column, const Arm& arm) {
-  const std::string name(column ? csv.field(*column) : std::string_view{});
+  const std::string name(column ? without_guard(csv.field(*column)) : std::string_view{});
   if (name.empty() && arm.probes.size() == 1) {
     return 0;
   }
@@ -136,6 +164,9 @@ Expected<int> find_probe(const CsvReader& csv, Columns::Column column, const Arm
 
 Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& columns, const ReadingUnits& units,
                                          Recording& recording) {
+  if (auto checked = check_labels(csv, columns); !checked) {
+    return tl::unexpected(checked.error());
+  }
   Reading reading{};
   reading.artefact = label(recording.artefacts, csv, columns.artefact);
   reading.placement = label(recording.placements, csv, columns.placement);
@@ -178,11 +209,11 @@ Expected<Reading> read_labels_and_extras(const CsvReader& csv, const Columns& co
 }  // namespace
 
 Expected<void> read_readings(const std::filesystem::path& path, const ReadingUnits& units, Recording& recording) {
-  const auto file = read_text_file(path);
+  const auto file = read_text_file(path, largest::readings);
   if (!file) {
     return tl::unexpected(file.error());
   }
-  auto csv = CsvReader::open(*file);
+  auto csv = CsvReader::open(*file, why_no_table);
   if (!csv) {
     return tl::unexpected(csv.error());
   }
@@ -217,6 +248,11 @@ Expected<void> read_readings(const std::filesystem::path& path, const ReadingUni
     }
     recording.readings.push_back(*reading);
   }
+  const auto end = csv->check_end();
+  if (!end) {
+    return tl::unexpected(end.error());
+  }
+  recording.warnings.insert(recording.warnings.end(), end->begin(), end->end());
   const auto count = static_cast<Eigen::Index>(recording.readings.size() - before);
   if (count == 0) {
     return bad_input("the file has a header but no readings", path.string());

@@ -6,6 +6,7 @@
 #include "acquisition/readings_file.h"
 #include "acquisition/scan_table.h"
 #include "core/in_quotes.h"
+#include "core/plausible.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
@@ -26,6 +27,10 @@ std::optional<double> noise_at(TomlTable& table, std::string_view key, Quantity 
   if (!value || *value <= 0.0) {
     table.fail(key, fmt::format("the noise `{}` is {}, expected a number above zero with its unit, such as \"{}\"", key,
                                 in_quotes(text), example));
+  } else if (read == angle_quantity ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
+    table.fail(key,
+               fmt::format("the noise `{}` is {}, expected a standard deviation of {}; is the unit right?", key,
+                           in_quotes(text), read == angle_quantity ? plausible::angle_range : plausible::length_range));
   }
   return value;
 }
@@ -96,6 +101,10 @@ Arm arm_of_probes(TomlTable& root, double length) {
 }  // namespace
 
 Expected<Recording> read_recording(const std::filesystem::path& path) {
+  return read_recording(path, FileAccess::anywhere());
+}
+
+Expected<Recording> read_recording(const std::filesystem::path& path, const FileAccess& access) {
   auto document = TomlDocument::read(path, schema);
   if (!document) {
     return tl::unexpected(document.error());
@@ -110,17 +119,30 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
   if (root.has("probe") && root.has("arm")) {
     root.fail("probe", "a recording names an arm, which has its probes, or lists probes itself, not both");
   }
+  const auto file_at = [&](std::string_view key, const std::string& name) {
+    const auto file = access.resolve(folder, name, root.where(key));
+    if (!file) {
+      root.fail(key, file.error().message);
+    }
+    return file.value_or(std::filesystem::path{});
+  };
+  if (!arm_path.empty()) {
+    file_at("arm", arm_path);
+  }
   for (const auto& name : root.texts("artefacts")) {
-    recording.artefact_paths.push_back((folder / name).string());
+    recording.artefact_paths.push_back(file_at("artefacts", name).string());
   }
   const auto readings_paths = root.texts("readings");
+  for (const auto& name : readings_paths) {
+    file_at("readings", name);
+  }
   const auto scan_tables = root.tables("scan");
   if (readings_paths.empty() && scan_tables.empty()) {
     root.fail("readings",
               "the recording names no readings, expected readings = [\"readings.csv\"], or scans as [[scan]]");
   }
   if (root.has("specification")) {
-    recording.specification_path = (folder / root.text("specification")).string();
+    recording.specification_path = file_at("specification", root.text("specification")).string();
   }
   TomlTable units = root.table("units");
   // Without an arm there are no joints to have a unit.
@@ -131,7 +153,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
     recording.arm = arm_of_probes(root, reading_units.length);
   }
   for (const TomlTable& table : scan_tables) {
-    recording.scans.push_back(read_scan_table(table, folder, {reading_units.length, reading_units.joint}));
+    recording.scans.push_back(read_scan_table(table, folder, access, {reading_units.length, reading_units.joint}));
   }
   recording.noise = read_noise(root.table("noise"));
   recording.identify = read_request(root.table("identify"));
@@ -156,7 +178,8 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
     }
   }
   if (!recording.readings.empty()) {
-    recording.warnings = suspicious_angles(recording, reading_units.joint);
+    const auto suspicious = suspicious_angles(recording, reading_units.joint);
+    recording.warnings.insert(recording.warnings.end(), suspicious.begin(), suspicious.end());
   }
   return recording;
 }

@@ -4,6 +4,7 @@
 
 #include "acquisition/recording.h"
 #include "core/error.h"
+#include "core/file_access.h"
 
 namespace artcal {
 
@@ -12,6 +13,8 @@ namespace artcal {
 /// stands in Recording::scans, and who has the artefacts makes readings of them. Nor are artefact files: their paths
 /// stand in Recording::artefact_paths, and whether a reading's labels name something real is known to
 /// artefacts/constraint.
+/// Refused: a reference to a file that `access` does not allow; without it, all are allowed.
 Expected<Recording> read_recording(const std::filesystem::path& path);
+Expected<Recording> read_recording(const std::filesystem::path& path, const FileAccess& access);
 
 }  // namespace artcal

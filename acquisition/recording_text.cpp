@@ -6,24 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/csv_text.h"
 #include "core/toml_text.h"
 #include "core/units.h"
 
 namespace artcal {
 namespace {
-
-std::string csv_field(const std::string& text) {
-  // Blanks at an end are kept by quotes alone, and a # would make the first field's line a comment.
-  const bool plain = text.find_first_of(",\"#;\t ") == std::string::npos;
-  if (plain) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + "\"";
-}
 
 bool tells(const Labels& labels) { return labels.size() > 1 || (labels.size() == 1 && !labels.name(0).empty()); }
 

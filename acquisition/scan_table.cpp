@@ -55,10 +55,16 @@ SpherePlace place_of(TomlTable table, double unit) {
 
 }  // namespace
 
-RecordedScan read_scan_table(TomlTable table, const std::filesystem::path& folder, const CloudUnits& units) {
+RecordedScan read_scan_table(TomlTable table, const std::filesystem::path& folder, const FileAccess& access,
+                             const CloudUnits& units) {
   RecordedScan scan;
   scan.where = table.where("file");
-  scan.path = (folder / table.name("file")).string();
+  const std::string name = table.name("file");
+  if (const auto file = access.resolve(folder, name, scan.where); file) {
+    scan.path = file->string();
+  } else {
+    table.fail("file", file.error().message);
+  }
   scan.placement = table.name("placement");
   scan.artefact = table.name_or("artefact", "");
   scan.probe = table.name_or("probe", "");

@@ -25,6 +25,11 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+// Characters of numbers alone: a decimal comma, an exponent out of range. They give nothing away.
+bool is_numeric(std::string_view text) {
+  return text.find_first_not_of("0123456789.,+-eE \t") == std::string_view::npos;
+}
+
 bool to_plain_number(std::string_view text, double& value) {
   const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -124,6 +129,7 @@ bool TextRows::next() {
     line_ = rest_.substr(0, end);
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     line_number_ = next_line_++;
+    ends_open_ = end == std::string_view::npos && !line_.empty() && !is_blank(line_.back()) && line_.back() != '\r';
     if (line_.ends_with('\r')) {
       line_.remove_suffix(1);
     }
@@ -156,7 +162,7 @@ Expected<void> TextRows::numbers(const std::vector<std::size_t>& columns, double
     if (!to_number(field, *values++, comma_is_decimal)) {
       return bad_input(
           fmt::format("column {}: found {}, expected a number with a decimal {}", column + 1,
-                      field.empty() ? "nothing" : in_quotes(field), comma_is_decimal ? "point or comma" : "point"),
+                      field.empty() ? "nothing" : shown(field), comma_is_decimal ? "point or comma" : "point"),
           where());
     }
     if (comma_is_decimal && !decimal_signs_agree(field)) {
@@ -166,7 +172,13 @@ Expected<void> TextRows::numbers(const std::vector<std::size_t>& columns, double
                        where());
     }
   }
+  watch_.row(fields_.back(), ends_open_);
+  quotes_ = true;
   return {};
+}
+
+std::string TextRows::shown(std::string_view field) const {
+  return quotes_ || is_numeric(field) ? in_quotes(field) : "other text";
 }
 
 std::string TextRows::where() const { return fmt::format("{}:{}", path_, line_number_); }

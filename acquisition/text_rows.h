@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "acquisition/cut_off.h"
 #include "core/error.h"
 
 namespace artcal {
@@ -20,7 +21,7 @@ class TextRows {
 
   /// The text must outlive the rows. `first_line` is the number that the text's first line has in the file.
   TextRows(std::string_view text, std::string path, int first_line, Separator separator)
-      : rest_(text), path_(std::move(path)), separator_(separator), next_line_(first_line) {}
+      : rest_(text), path_(std::move(path)), separator_(separator), watch_(text), next_line_(first_line) {}
 
   /// Takes the next row; false at the end.
   bool next();
@@ -38,11 +39,18 @@ class TextRows {
   Expected<void> numbers(const std::vector<std::size_t>& columns, double* values);
   [[nodiscard]] bool is_number_at(std::size_t column) const;
 
+  /// From now on messages may show what stands in the text: it is known to be a table of numbers. Its first row of
+  /// numbers says so too.
+  void allow_quotes() { quotes_ = true; }
+
+  /// After the last row of numbers: a table that was cut off in its last number (acquisition/cut_off.h), or warnings.
+  [[nodiscard]] Expected<std::vector<std::string>> check_end() const { return watch_.judge(where()); }
   [[nodiscard]] std::string where() const;  ///< "file:line"
 
  private:
   void split();
   [[nodiscard]] bool decimal_signs_agree(std::string_view field);
+  [[nodiscard]] std::string shown(std::string_view field) const;
 
   std::string_view rest_;
   std::string_view line_;
@@ -50,6 +58,9 @@ class TextRows {
   std::string path_;
   Separator separator_;
   bool has_points_ = false, has_commas_ = false;  // as decimal signs, between semicolons
+  CutOffWatch watch_;
+  bool ends_open_ = false;  // the text ends within this row's last field
+  bool quotes_ = false;
   int line_number_ = 0;
   int next_line_;
 };

@@ -55,6 +55,20 @@ class XyzReader {
  private:
   [[nodiscard]] std::string path() const { return file_.path.string(); }
 
+  [[nodiscard]] bool is_row_of_numbers() const {
+    bool all = rows_.fields().size() == width_;
+    for (std::size_t i = 0; all && i < width_; ++i) {
+      all = rows_.is_number_at(i);
+    }
+    return all;
+  }
+
+  // The path may lead to any file of this computer, whose content no message is to show.
+  static tl::unexpected<Error> no_table(const std::string& where) {
+    return bad_input(
+        "this is no table of points: expected lines of numbers x y z, with a line of names above or without", where);
+  }
+
   // A line of one whole number is the number of points that follow (PTS). Two of them are the columns and rows of a
   // PTX, whose points a matrix moves.
   Expected<void> take_count() {
@@ -102,8 +116,9 @@ class XyzReader {
     if (!stated_) {
       auto found = find_cloud_columns(names, units_, rows_.where(), warnings_);
       if (!found) {
-        return tl::unexpected(found.error());
+        return rows_.next() && is_row_of_numbers() ? tl::unexpected(found.error()) : no_table(found.error().where);
       }
+      rows_.allow_quotes();
       columns_ = std::move(*found);
       told_ = fmt::format("columns {}, {}, {} of {}, named x, y, z by the header", columns_[0] + 1, columns_[1] + 1,
                           columns_[2] + 1, width_);
@@ -148,6 +163,11 @@ class XyzReader {
       return bad_input(fmt::format("the line promises {} points, {} follow; is the file truncated?", *promised_, read_),
                        count_where_);
     }
+    const auto end = rows_.check_end();
+    if (!end) {
+      return tl::unexpected(end.error());
+    }
+    warnings_.insert(warnings_.end(), end->begin(), end->end());
     auto looked_at = look_at(shape);
     if (!looked_at) {
       return tl::unexpected(looked_at.error());

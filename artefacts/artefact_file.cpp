@@ -10,6 +10,7 @@
 #include "artefacts/dcc_read.h"
 #include "artefacts/geometry_tables.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 #include "core/text_file.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
@@ -18,7 +19,6 @@ namespace artcal {
 namespace {
 
 constexpr std::string_view schema = "artcal-artefact/1";
-constexpr std::size_t most_bytes = std::size_t{16} << 20;
 
 ArtefactType read_type(TomlTable& root) {
   if (!root.has("type")) {
@@ -116,7 +116,11 @@ tl::unexpected<Error> wants_an_artefact_file(const TextFile& file) {
 }  // namespace
 
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
-  const auto file = read_text_file(path, most_bytes);
+  return read_artefact_file(path, FileAccess::anywhere());
+}
+
+Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path, const FileAccess& access) {
+  const auto file = read_text_file(path, largest::toml);
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -130,7 +134,9 @@ Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
   TomlTable& root = document->root();
   std::optional<DccCertificate> dcc;
   if (root.is_text("dcc")) {
-    auto read = read_dcc_file(path.parent_path() / root.text("dcc"));
+    auto read = access.resolve(path.parent_path(), root.text("dcc"), root.where("dcc")).and_then([](const auto& found) {
+      return read_dcc_file(found);
+    });
     if (!read) {
       return tl::unexpected(read.error());
     }
@@ -138,7 +144,8 @@ Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path) {
   }
   ArtefactFile result{read_artefact(root, path, dcc ? &*dcc : nullptr),
                       {path.string(), document->sha256()},
-                      dcc ? std::optional(dcc->input) : std::nullopt};
+                      dcc ? std::optional(dcc->input) : std::nullopt,
+                      root.is_text("dcc") ? root.text("dcc") : ""};
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
   }

@@ -6,6 +6,7 @@
 #include "acquisition/recording.h"
 #include "artefacts/artefact.h"
 #include "core/error.h"
+#include "core/file_access.h"
 
 namespace artcal {
 
@@ -13,10 +14,13 @@ struct ArtefactFile {
   Artefact artefact;
   InputFile input;
   std::optional<InputFile> certificate;  ///< the digital certificate that it names
+  std::string certificate_name;          ///< as the file has it; empty: it names none
 };
 
 /// Reads artefact.toml, and the digital certificate that it names. Format: docs/files.md. Refused: what a certificate
 /// cannot say, and what contradicts itself (artefacts/consistency).
+/// Refused: a reference to a file that `access` does not allow; without it, all are allowed.
 Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path);
+Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path, const FileAccess& access);
 
 }  // namespace artcal

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/in_quotes.h"
+#include "core/plausible.h"
 #include "core/unit_names.h"
 
 namespace artcal {
@@ -117,6 +118,13 @@ double u_of_certificate(TomlTable& table, const CertifiedUncertainty& certified,
   return *certified.U / (k > 0.0 ? k : 1.0);
 }
 
+void check_standard_uncertainty(TomlTable& table, std::string_view key, double u) {
+  if (!plausible::is_length_u(u)) {
+    table.fail(key, fmt::format("a standard uncertainty U/k of {:.6g} mm, expected {}; is the unit right?", u,
+                                plausible::length_range));
+  }
+}
+
 }  // namespace
 
 double UncertaintyRule::standard_uncertainty(double length) const {
@@ -140,6 +148,7 @@ double read_standard_uncertainty(TomlTable& table, const ArtefactValues& values,
     table.fail(U_key, "an uncertainty of zero or less is not one: state U and k as the certificate does");
     return 1.0;
   }
+  check_standard_uncertainty(table, U_key, expanded / k);
   return expanded / k;
 }
 
@@ -154,7 +163,9 @@ std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& v
     table.fail(U_key, fmt::format("`{}` is stated here, and the digital certificate has it; leave it out", U_key));
   }
   if (certified.U) {
-    return u_of_certificate(table, certified, table.has(k_own) ? k_own : "k");
+    const double u = u_of_certificate(table, certified, table.has(k_own) ? k_own : "k");
+    check_standard_uncertainty(table, U_key, u);
+    return u;
   }
   if (table.has(U_key)) {
     return read_standard_uncertainty(table, values, U_key, k_own);
@@ -164,7 +175,11 @@ std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& v
                                   "state `{}` and `{}` as the certificate does",
                                   certified.unread, U_key, k_own));
   }
-  return rule ? std::optional(rule->standard_uncertainty(length)) : std::nullopt;
+  if (!rule) {
+    return std::nullopt;
+  }
+  check_standard_uncertainty(table, U_key, rule->standard_uncertainty(length));
+  return rule->standard_uncertainty(length);
 }
 
 TemperatureConversion conversion_at(TomlTable& table, std::string_view key, double temperature,

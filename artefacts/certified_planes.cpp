@@ -1,17 +1,11 @@
 #include "artefacts/certified_planes.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include "artefacts/parallel.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
-namespace {
-
-constexpr double parallel = 0.99999;  // cosine: normals are certified to a quarter of a degree at the worst
-
-}  // namespace
 
 Expected<void> check_planes(const Artefact& artefact) {
   for (const CertifiedFeature& feature : artefact.features) {
@@ -30,7 +24,7 @@ Expected<void> check_planes(const Artefact& artefact) {
     if ((first.kind == FeatureKind::Plane) != (second.kind == FeatureKind::Plane)) {
       return told("lies between a plane and something else, expected two points or centres, or two parallel planes");
     }
-    if (first.normal && second.normal && std::abs(first.normal->dot(*second.normal)) < parallel) {
+    if (first.normal && second.normal && !are_parallel(*first.normal, *second.normal)) {
       return told("lies between planes that are not parallel");
     }
   }

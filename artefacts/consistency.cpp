@@ -12,13 +12,21 @@
 #include <Eigen/Geometry>
 
 #include "artefacts/artefact_type.h"
+#include "artefacts/parallel.h"
 #include "core/in_quotes.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
 
+constexpr double chance_of_one_set = 0.18;  // that a sound certificate is refused: that of four comparisons with k = 2
 constexpr double k = 2.0;
-constexpr double parallel = 1e-3;  // sine; a certified distance between faces has no meaning beyond
+
+// Among many comparisons one is off by more than 2 u by chance: the coverage factor grows with their number.
+double coverage_factor(std::size_t comparisons) {
+  const auto count = static_cast<double>(std::max<std::size_t>(comparisons, 1));
+  return std::max(k, std::sqrt(chi_squared_quantile(1.0 - chance_of_one_set / count, 1.0)));
+}
 
 Contradiction at_feature(int index, std::string message) {
   return {Contradiction::Of::Feature, index, std::move(message)};
@@ -35,10 +43,6 @@ std::string both(const Artefact& artefact, const CertifiedDistance& distance) {
   return both(artefact.features[distance.first], artefact.features[distance.second]);
 }
 
-bool are_parallel(const CertifiedFeature& a, const CertifiedFeature& b) {
-  return a.normal->cross(*b.normal).norm() < parallel;
-}
-
 // Between two points, or two parallel planes. REQUIRES: certified coordinates of both.
 double distance_between(const CertifiedFeature& a, const CertifiedFeature& b) {
   const Eigen::Vector3d step = *b.at - *a.at;
@@ -48,7 +52,7 @@ double distance_between(const CertifiedFeature& a, const CertifiedFeature& b) {
 // Two features at the same place, or two balls in one another. REQUIRES: certified coordinates of both.
 std::optional<std::string> collision(const CertifiedFeature& a, const CertifiedFeature& b) {
   const bool planes = a.kind == FeatureKind::Plane;
-  if (planes != (b.kind == FeatureKind::Plane) || (planes && !are_parallel(a, b))) {
+  if (planes != (b.kind == FeatureKind::Plane) || (planes && !are_parallel(*a.normal, *b.normal))) {
     return std::nullopt;
   }
   const double distance = distance_between(a, b);
@@ -88,12 +92,12 @@ std::optional<std::string> contradiction_of_ends(const Artefact& artefact, const
   if (!a.at || !b.at) {
     return std::nullopt;
   }
-  if (a.kind == FeatureKind::Plane && !are_parallel(a, b)) {
+  if (a.kind == FeatureKind::Plane && !are_parallel(*a.normal, *b.normal)) {
     return fmt::format("the planes {} are not parallel, so there is no one distance between them", both(a, b));
   }
   const double between = distance_between(a, b);
   const double u = std::hypot(distance.u, a.u_at, b.u_at);
-  if (std::abs(between - distance.value) > k * u) {
+  if (std::abs(between - distance.value) > coverage_factor(artefact.distances.size()) * u) {
     return fmt::format(
         "the certified distance between {} is {} mm, but their certified coordinates are {} mm apart, "
         "which is more than its U away",
@@ -149,10 +153,11 @@ std::optional<Contradiction> find_impossible_distance(const Artefact& artefact) 
     graph[distance.first].push_back(static_cast<int>(i));
     graph[distance.second].push_back(static_cast<int>(i));
   }
+  const double factor = coverage_factor(artefact.distances.size());
   for (std::size_t i = 0; i < artefact.distances.size(); ++i) {
     const CertifiedDistance& distance = artefact.distances[i];
     const auto [way, variance] = way_round(artefact, graph, distance);
-    if (distance.value > way + k * std::sqrt(variance + distance.u * distance.u)) {
+    if (distance.value > way + factor * std::sqrt(variance + distance.u * distance.u)) {
       return at_distance(
           i, fmt::format("the certified distance between {} is {} mm, but the other distances lead from one "
                          "to the other in {} mm",

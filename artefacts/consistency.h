@@ -17,7 +17,8 @@ struct Contradiction {
 
 /// The first contradiction within an artefact, if there is one: features that its type does not have, two features
 /// in one place, balls that overlap, a distance stated twice, or further from the certified coordinates than its U,
-/// or longer than a way round over other distances. Uncertainties count with k = 2; those of coordinates and
+/// or longer than a way round over other distances. Uncertainties count with k = 2, and with
+/// more where many distances are compared; those of coordinates and
 /// of the distances of a way are taken as independent.
 std::optional<Contradiction> find_contradiction(const Artefact& artefact);
 

@@ -7,11 +7,11 @@
 #include "artefacts/xml.h"
 #include "core/calendar_date.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{16} << 20;
 constexpr std::string_view dcc_namespace = "https://ptb.de/dcc";
 
 // The namespace that an element's prefix is bound to, where it is bound on the element itself.
@@ -121,7 +121,7 @@ Expected<DccCertificate> read_dcc(const TextFile& file) {
 }
 
 Expected<DccCertificate> read_dcc_file(const std::filesystem::path& path) {
-  return read_text_file(path, most_bytes).and_then([](const TextFile& file) { return read_dcc(file); });
+  return read_text_file(path, largest::certificate).and_then([](const TextFile& file) { return read_dcc(file); });
 }
 
 }  // namespace artcal

@@ -1,22 +1,26 @@
+#include "artefacts/read_constraints.h"
+
+#include <functional>
+
 #include <fmt/format.h>
 
 #include "artefacts/artefact_file.h"
-#include "artefacts/constraint.h"
-#include "artefacts/scan_readings.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
+namespace {
 
-Expected<Constraints> read_constraints(Recording& recording) { return read_constraints(recording, ScanSelection{}); }
+using ReadArtefact = std::function<Expected<ArtefactFile>(const std::filesystem::path&)>;
 
-Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection) {
+Expected<Constraints> read_with(Recording& recording, const ScanSelection& selection,
+                                const ReadArtefact& read_artefact) {
   if (recording.artefact_paths.empty()) {
     return bad_input("the recording names no artefact, expected artefacts = [\"artefact.toml\"]",
                      recording.inputs.empty() ? "" : recording.inputs.front().path);
   }
   std::vector<Artefact> artefacts;
   for (const auto& path : recording.artefact_paths) {
-    auto file = read_artefact_file(path);
+    auto file = read_artefact(path);
     if (!file) {
       return tl::unexpected(file.error());
     }
@@ -35,6 +39,18 @@ Expected<Constraints> read_constraints(Recording& recording, const ScanSelection
     return tl::unexpected(read.error());
   }
   return build_constraints(recording, std::move(artefacts));
+}
+
+}  // namespace
+
+Expected<Constraints> read_constraints(Recording& recording) { return read_constraints(recording, ScanSelection{}); }
+
+Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection) {
+  return read_with(recording, selection, [](const auto& path) { return read_artefact_file(path); });
+}
+
+Expected<Constraints> read_constraints(Recording& recording, const FileAccess& access, const ScanSelection& selection) {
+  return read_with(recording, selection, [&](const auto& path) { return read_artefact_file(path, access); });
 }
 
 }  // namespace artcal

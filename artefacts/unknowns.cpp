@@ -1,14 +1,17 @@
 #include "artefacts/unknowns.h"
 
+#include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "artefacts/parallel.h"
+
 namespace artcal {
 namespace {
 
-constexpr double parallel = 0.99999;  // cosine
+constexpr double steepest_wedge = 0.0872;  // sine of 5 degrees
 
 const CertifiedFeature& certified(const FeatureConstraint& feature, const Constraints& constraints) {
   return constraints.artefacts[feature.artefact].features[feature.feature];
@@ -19,28 +22,53 @@ bool is_free(const FeatureConstraint& feature) {
   return feature.location == Location::Unknown && feature.facing == 0.0;
 }
 
-// Finds the artefacts of which only parallel planes were read in a placement.
+/// What was read of an artefact in one placement.
+struct Seen {
+  std::vector<Eigen::Vector3d> directions;  ///< of its planes, each class of parallel ones once
+  bool only_planes = true;
+};
+
+// The class of parallel planes that this one belongs to; nothing where it is the first of its class.
+const Eigen::Vector3d* direction_of(const FeatureConstraint& plane, const Seen& seen) {
+  const auto found = std::find_if(seen.directions.begin(), seen.directions.end(),
+                                  [&](const Eigen::Vector3d& other) { return are_parallel(other, plane.normal); });
+  return found == seen.directions.end() ? nullptr : &*found;
+}
+
+// Whether all planes face along one axis, exactly (a gauge) or nearly (a wedge): such planes do not determine a pose.
+bool face_along_one_axis(const std::vector<Eigen::Vector3d>& normals) {
+  return std::all_of(normals.begin(), normals.end(), [&](const Eigen::Vector3d& normal) {
+    return normal.cross(normals.front()).norm() < steepest_wedge;
+  });
+}
+
+// Finds the artefacts of which only such planes were read in a placement. Each class of parallel planes is then a gauge
+// of its own: the faces of a wedge keep the normals that are certified, and no pose is asked of them.
 void find_gauges(Constraints& constraints) {
-  struct Axis {
-    Eigen::Vector3d direction;
-    bool is_gauge;
-  };
   const auto place_of = [](const FeatureConstraint& feature) { return std::pair{feature.artefact, feature.placement}; };
-  std::map<std::pair<int, int>, Axis> axes;
+  std::map<std::pair<int, int>, Seen> placements;
   for (auto& feature : constraints.features) {
     if (feature.facing != 0.0) {  // found with other readings beside it
       feature.location = Location::Posed;
       feature.facing = 0.0;
+      feature.normal = certified(feature, constraints).normal.value_or(feature.normal);
     }
-    if (feature.location == Location::Posed) {
-      auto [entry, is_new] = axes.try_emplace(place_of(feature), Axis{feature.normal, true});
-      entry->second.is_gauge &=
-          feature.demand == Demand::OnPlane && std::abs(feature.normal.dot(entry->second.direction)) > parallel;
+    if (feature.location != Location::Posed) {
+      continue;
+    }
+    Seen& seen = placements[place_of(feature)];
+    seen.only_planes &= feature.demand == Demand::OnPlane;
+    if (feature.demand == Demand::OnPlane && direction_of(feature, seen) == nullptr) {
+      seen.directions.push_back(feature.normal);
     }
   }
   for (auto& feature : constraints.features) {
-    if (feature.location == Location::Posed && axes.at(place_of(feature)).is_gauge) {
-      const Eigen::Vector3d& axis = axes.at(place_of(feature)).direction;
+    if (feature.location != Location::Posed) {
+      continue;
+    }
+    const Seen& seen = placements.at(place_of(feature));
+    if (seen.only_planes && face_along_one_axis(seen.directions)) {
+      const Eigen::Vector3d axis = *direction_of(feature, seen);
       feature.location = Location::Unknown;
       feature.facing = feature.normal.dot(axis) < 0.0 ? -1.0 : 1.0;
       feature.normal = feature.facing * axis;
@@ -60,12 +88,23 @@ int root_of(std::vector<int>& parent, int i) {
 void assign_groups(Constraints& constraints) {
   std::vector<int> parent(constraints.features.size());
   std::iota(parent.begin(), parent.end(), 0);
-  std::map<std::pair<int, int>, int> first_posed;
+  struct First {
+    Eigen::Vector3d axis;  // of a gauge; zero: of a pose
+    int feature;
+  };
+  std::map<std::pair<int, int>, std::vector<First>> first_posed;
   for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
     const auto& feature = constraints.features[i];
     if (feature.location == Location::Posed || feature.facing != 0.0) {
-      const auto [entry, is_new] = first_posed.try_emplace({feature.artefact, feature.placement}, i);
-      parent[root_of(parent, i)] = root_of(parent, entry->second);
+      const Eigen::Vector3d axis = feature.facing * feature.normal;
+      auto& firsts = first_posed[{feature.artefact, feature.placement}];
+      const auto first =
+          std::find_if(firsts.begin(), firsts.end(), [&](const First& other) { return other.axis == axis; });
+      if (first == firsts.end()) {
+        firsts.push_back({axis, i});
+      } else {
+        parent[root_of(parent, i)] = root_of(parent, first->feature);
+      }
     }
   }
   for (auto& distance : constraints.distances) {

@@ -9,6 +9,7 @@
 #include "acquisition/parameters.h"
 #include "artefacts/simulation/plan_keys.h"
 #include "core/in_quotes.h"
+#include "core/plausible.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -139,12 +140,30 @@ ArmErrors read_arm_errors(TomlTable table, const Arm& arm) {
   return errors;
 }
 
+namespace {
+
+// Zero is a noise that a simulation may have, but none far below or above what an arm has.
+double noise_length_at(TomlTable& table, std::string_view key) {
+  const double noise = length_at(table, key);
+  if (noise > 0.0 && !plausible::is_length_u(noise)) {
+    table.fail(key, fmt::format("the noise `{}` is {:.6g} mm, expected 0 or {}; is the unit right?", key, noise,
+                                plausible::length_range));
+  }
+  return noise;
+}
+
+}  // namespace
+
 PlannedNoise read_planned_noise(TomlTable& table) {
   PlannedNoise noise;
-  noise.probing = length_at(table, "probing");
+  noise.probing = noise_length_at(table, "probing");
+  if (const double encoder = angle_at(table, "encoder"); encoder > 0.0 && !plausible::is_angle_u(encoder)) {
+    table.fail("encoder", fmt::format("the noise `encoder` is {:.6g} rad, expected 0 or {}; is the unit right?", encoder,
+                                      plausible::angle_range));
+  }
   noise.temperature = number_between(table, "temperature_K", 0.0, 0.0, 100.0);
   if (table.has("instrument")) {
-    noise.instrument = length_at(table, "instrument");
+    noise.instrument = noise_length_at(table, "instrument");
   }
   return noise;
 }

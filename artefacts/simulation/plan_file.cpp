@@ -47,9 +47,9 @@ Expected<void> read_arms(const std::filesystem::path& folder, const std::string&
   return {};
 }
 
-Expected<void> read_artefacts(PlanFile& file) {
+Expected<void> read_artefacts(const FileAccess& access, PlanFile& file) {
   for (const auto& path : file.artefacts) {
-    auto artefact = read_artefact_file(path);
+    auto artefact = read_artefact_file(path, access);
     if (!artefact) {
       return tl::unexpected(artefact.error());
     }
@@ -60,6 +60,10 @@ Expected<void> read_artefacts(PlanFile& file) {
       }
     }
     file.inputs.push_back(artefact->input);
+    if (artefact->certificate) {
+      file.inputs.push_back(*artefact->certificate);
+    }
+    file.certificates.push_back({artefact->certificate_name, artefact->certificate ? artefact->certificate->path : ""});
     std::vector<TrueFeature> stated(artefact->artefact.features.size());
     file.plan.artefacts.push_back({std::move(artefact->artefact), std::move(stated)});
   }
@@ -90,6 +94,10 @@ void read_session(TomlTable& root, SimulationPlan& plan) {
 }  // namespace
 
 Expected<PlanFile> read_plan_file(const std::filesystem::path& path) {
+  return read_plan_file(path, FileAccess::anywhere());
+}
+
+Expected<PlanFile> read_plan_file(const std::filesystem::path& path, const FileAccess& access) {
   auto document = TomlDocument::read(path, schema);
   if (!document) {
     return tl::unexpected(document.error());
@@ -100,10 +108,20 @@ Expected<PlanFile> read_plan_file(const std::filesystem::path& path) {
   file.inputs.push_back({path.string(), document->sha256()});
   file.plan.name = root.name_or("name", at_most(80, path.stem().string()));
   file.plan.seed = read_seed(root);
-  file.arm = folder / root.text("arm");
+  const auto file_at = [&](std::string_view key, const std::string& name) {
+    const auto found = access.resolve(folder, name, root.where(key));
+    if (!found) {
+      root.fail(key, found.error().message);
+    }
+    return found.value_or(std::filesystem::path{});
+  };
+  file.arm = file_at("arm", root.text("arm"));
   const std::string true_arm = root.text_or("true_arm", "");
+  if (!true_arm.empty()) {
+    file_at("true_arm", true_arm);
+  }
   for (const auto& name : root.texts("artefacts")) {
-    file.artefacts.push_back(folder / name);
+    file.artefacts.push_back(file_at("artefacts", name));
   }
   if (file.artefacts.empty()) {
     root.fail("artefacts", "the plan names no artefact, expected artefacts = [\"artefact.toml\"]");
@@ -114,7 +132,7 @@ Expected<PlanFile> read_plan_file(const std::filesystem::path& path) {
   if (auto arms = read_arms(folder, true_arm, file); !arms) {
     return tl::unexpected(arms.error());
   }
-  if (auto artefacts = read_artefacts(file); !artefacts) {
+  if (auto artefacts = read_artefacts(access, file); !artefacts) {
     return tl::unexpected(artefacts.error());
   }
   read_session(root, file.plan);

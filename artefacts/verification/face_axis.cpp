@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "artefacts/parallel.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
 
@@ -16,7 +17,6 @@ namespace {
 constexpr double thinnest = 0.02;  // spread across over spread along: less is one line
 constexpr double thickest = 0.1;   // spread off a plane over the smaller one in it: more is no plane
 constexpr double perpendicular = 1e-4;
-constexpr double parallel = 1.0 - 1e-6;
 constexpr double least_angle = 30.0 * units::degree;  // between sides that tell an axis
 constexpr double most_disagreement = 1.0 * units::degree;
 
@@ -154,7 +154,7 @@ bool is_measuring_face(const Artefact& artefact, int feature) {
   }
   const auto axis = axis_in_artefact(artefact);
   const auto& normal = feature_of(artefact, feature).normal;
-  return axis && normal && std::abs(axis->dot(*normal)) > parallel;
+  return axis && normal && are_parallel(*axis, *normal);
 }
 
 Expected<FaceAxis> face_axis(const Session& session, const Artefact& artefact, const PlaneReadings& planes,

@@ -23,7 +23,7 @@ class PointCloudText : public CloudFile {};
 
 TEST_F(PointCloudText, BlanksTabsAndCommasSeparate) {
   for (const char* text :
-       {"1.25 2 -3\n-4 5e2 6\n1e-3 7 0.1\n", "1.25\t2\t-3\r\n-4\t+5e2\t6\r\n1e-3\t7\t0.1",
+       {"1.25 2 -3\n-4 5e2 6\n1e-3 7 0.1\n", "1.25\t2\t-3\r\n-4\t+5e2\t6\r\n1e-3\t7\t0.1\n",
         " 1.25,2 , -3\n\n-4,5e2,6\n1e-3,7,0.1\n", "# x y z\n1.25 2 -3 9 9\n// more\n-4 5e2 6 9 9\n1e-3 7 .1 9 9\n"}) {
     const auto cloud = read("p.xyz", text);
     ASSERT_TRUE(cloud) << cloud.error().text();

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/random.h"
+
 namespace artcal {
 namespace {
 
@@ -101,8 +103,31 @@ TEST(Consistency, OfPlanesIsTakenAlongTheirNormal) {
   EXPECT_EQ(message(artefact), "none") << "points of planes may lie anywhere in them";
   artefact.distances[0].value = 20.003;
   EXPECT_THAT(message(artefact), HasSubstr("their certified coordinates are 20 mm apart"));
+  artefact.distances[0].value = 20.0;
+  artefact.features[1].normal = Eigen::Vector3d(1.0, 5e-5, 0.0).normalized();
+  EXPECT_EQ(message(artefact), "none") << "ten arc seconds are how well normals are certified";
+  artefact.features[1].normal = Eigen::Vector3d(1.0, 5e-4, 0.0).normalized();
+  EXPECT_THAT(message(artefact), HasSubstr("the planes \"1\" and \"2\" are not parallel"));
   artefact.features[1].normal = Eigen::Vector3d(1.0, 0.01, 0.0).normalized();
   EXPECT_THAT(message(artefact), HasSubstr("the planes \"1\" and \"2\" are not parallel"));
+}
+
+// 300 distances of a plate, each measured with its own u: one in twenty differs from the coordinates by more than 2 u.
+TEST(Consistency, OfManyDistancesAllowsForTheirNumber) {
+  RandomStream random(3, "certificate");
+  Artefact plate;
+  for (int i = 0; i < 25; ++i) {
+    plate.features.push_back(ball(std::to_string(i), Eigen::Vector3d(100.0 * (i % 5), 100.0 * (i / 5), 0.0)));
+  }
+  for (int i = 0; i < 25; ++i) {
+    for (int j = i + 1; j < 25; ++j) {
+      const double distance = (*plate.features[j].at - *plate.features[i].at).norm();
+      plate.distances.push_back({i, j, distance + 0.001 * random.normal(), 0.001});
+    }
+  }
+  EXPECT_EQ(message(plate), "none");
+  plate.distances[120].value += 0.006;
+  EXPECT_THAT(message(plate), HasSubstr("their certified coordinates are"));
 }
 
 TEST(Consistency, OfATypeWithOtherFeaturesIsRefused) {

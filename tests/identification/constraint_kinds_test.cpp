@@ -1,6 +1,7 @@
 // Planes, gauges, balls of unknown size, the tip's radius and certificates' own uncertainty: planted truths come
 // back from readings of an independent simulation, and what cannot be told is said.
 #include <cmath>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -242,6 +243,30 @@ TEST_P(Gauges, BringBackTheTruth) {
     expect_truth(result, truth, 1e-5, 1e-8);
     for (const LengthDeviation& length : result.after.lengths) EXPECT_NEAR(length.error, 0.0, 1e-6);
   }
+}
+
+// A wedge: its faces stand 0.2 degrees apart, and are read far from where they would meet. Taken for parallel, each
+// normal is 0.1 degrees off, and the arm with it.
+TEST(Gauge, FacesOfAWedgeKeepTheirCertifiedNormals) {
+  const Arm nominal = nominal_arm();
+  const Arm truth = true_arm(21, nominal);
+  Session session(nominal, truth, 21, silent);
+  const double angle = 0.2 * std::numbers::pi / 180.0;
+  Artefact wedge = planes(2);
+  wedge.features[0].at = Eigen::Vector3d(0.0, 0.0, 0.0);
+  wedge.features[0].normal = -Eigen::Vector3d::UnitY();
+  wedge.features[1].at = Eigen::Vector3d(0.0, 40.0, 0.0);
+  wedge.features[1].normal = Eigen::Vector3d(std::sin(angle), std::cos(angle), 0.0);
+  const Artefact bar = seats(500.0);
+  for (const char* placement : {"a", "b", "c", "d"}) {
+    const Rigid pose = session.pose();
+    for (const CertifiedFeature& face : wedge.features) {
+      session.read_plane("planes", placement, face.name, 15, pose * *face.at, pose.rotation * *face.normal, 120.0);
+    }
+    read_seats(session, bar, placement, 12);
+  }
+  const auto bound = test::bind(session.recording(), {wedge, bar});
+  expect_truth(test::identified(bound, stated_noise()), truth);
 }
 
 // Faces that look different ways tell the tip's radius, faces that look the same way do not.
