@@ -84,7 +84,7 @@ TEST(FindPlanes, OfThirtyToAHundredPoints) {
       patch.width = index % 2 == 0 ? 60.0 : 100.0;
       const auto result = segment(points_of(patch, index), planes(1)).value();
       ++tried;
-      if (result.planes.size() == 1 && result.planes.front().points.size() >= 0.8 * points) {
+      if (result.planes.size() == 1 && static_cast<double>(result.planes.front().points.size()) >= 0.8 * points) {
         ++found;
       }
     }
