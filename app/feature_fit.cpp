@@ -95,13 +95,16 @@ FeatureFit describe(const RobustFitted<F>& robust, const PointCloud& cloud) {
 template <typename F>
 Expected<FeatureFit> fit_as(const PointCloud& cloud, const FitRequest& request) {
   const bool stated = std::is_same_v<F, Sphere> && request.options.fixed_radius.has_value();
+  const auto robust = fit_either<F>(cloud, request);
+  if (!robust && robust.error().code == ErrorCode::Usage) {
+    return tl::unexpected(robust.error());  // options that cannot be, before the points are blamed
+  }
   const auto free = stated ? free_diameter_of(cloud, request) : std::nullopt;
   if (free) {
     if (auto checked = check_diameter(*free, request, cloud.input.path); !checked) {
       return tl::unexpected(checked.error());
     }
   }
-  const auto robust = fit_either<F>(cloud, request);
   if (!robust) {
     Error error = robust.error();
     error.where = error.code == ErrorCode::Usage ? "" : cloud.input.path;

@@ -81,7 +81,8 @@ double variance_of_point(const FeatureConstraint& feature, const Eigen::Vector3d
 
 void judge_lengths(const ArmFit& fit, const Evaluation& after, const Constraints& constraints, const Noise& noise,
                    std::vector<std::string>& reasons) {
-  const double sigma = fit.noise * (noise.is_given() ? std::max(1.0, noise_ratio(fit, Loss::None)) : 1.0);
+  // By the median: what a wrong distance does to chi-squared is not to hide it.
+  const double sigma = fit.noise * (noise.is_given() ? std::max(1.0, noise_ratio(fit, Loss::Huber)) : 1.0);
   std::vector<std::size_t> first_tip;
   std::size_t tips = 0;
   for (const FeatureConstraint& feature : constraints.features) {

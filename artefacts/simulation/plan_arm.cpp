@@ -158,8 +158,8 @@ PlannedNoise read_planned_noise(TomlTable& table) {
   PlannedNoise noise;
   noise.probing = noise_length_at(table, "probing");
   if (const double encoder = angle_at(table, "encoder"); encoder > 0.0 && !plausible::is_angle_u(encoder)) {
-    table.fail("encoder", fmt::format("the noise `encoder` is {:.6g} rad, expected 0 or {}; is the unit right?", encoder,
-                                      plausible::angle_range));
+    table.fail("encoder", fmt::format("the noise `encoder` is {:.6g} rad, expected 0 or {}; is the unit right?",
+                                      encoder, plausible::angle_range));
   }
   noise.temperature = number_between(table, "temperature_K", 0.0, 0.0, 100.0);
   if (table.has("instrument")) {

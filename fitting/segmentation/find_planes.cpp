@@ -85,15 +85,17 @@ class PlaneFinder {
   }
 
  private:
-  // What the search for a plane left of it, at its border or in its noise, is no second one.
+  // What the search for planes left of them, at their borders or in their noise, is no other one, whichever way the
+  // strays of several lie.
   [[nodiscard]] bool is_part_of_another(const FoundPlane& found) const {
     constexpr double limit = 6.0;  // standard deviations
-    return std::any_of(planes_.begin(), planes_.end(), [&](const FoundPlane& other) {
-      const Plane& plane = other.fitted.feature;
-      return std::abs(plane.normal.dot(found.fitted.feature.normal)) > 0.995 &&
-             std::abs(signed_distance(plane, found.fitted.feature.point)) <
-                 std::max(limit * other.fitted.rms, rounding_);
+    const auto strays = std::count_if(found.points.begin(), found.points.end(), [&](int i) {
+      return std::any_of(planes_.begin(), planes_.end(), [&](const FoundPlane& other) {
+        return std::abs(signed_distance(other.fitted.feature, points_.col(i))) <
+               std::max(limit * other.fitted.rms, rounding_);
+      });
     });
+    return 2 * strays > static_cast<std::ptrdiff_t>(found.points.size());
   }
 
   // Points of patches that lie along the plane, and in it themselves.

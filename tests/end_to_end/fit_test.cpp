@@ -150,7 +150,7 @@ TEST_F(Fit, WrongUsageIsExplained) {
           "a robust fit is a least-squares fit");
   refused({"--shape", "sphere", "--unit", "mm", "--inside"}, "state its --tip-diameter");
   refused({"--shape", "sphere", "--unit", "mm", "--spatial"}, "--spatial is for a circle");
-  refused({"--shape", "sphere", "--unit", "mm", "--towards", "1,2"}, "three numbers");
+  refused({"--shape", "sphere", "--unit", "mm", "--towards", "1,2"}, "expected three");
   refused({"--shape", "sphere", "--unit", "mm", "--json", ball}, "is an input of this result");
 }
 

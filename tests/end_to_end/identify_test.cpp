@@ -361,7 +361,7 @@ TEST_F(Identify, BadInputIsThreeInOneLineWithItsPlace) {
 
 TEST_F(Identify, LongAndMarkedUpNamesStayHarmless) {
   take("two-socket-bar");
-  const std::string longest(5000, 'x');
+  const std::string longest(900, 'x');
   const std::string label = "<script>alert('" + longest + "')</script> & \"\" ${HOME} µ %s {}";
   std::string readings = text_of("two-socket-bar/readings.csv");
   for (std::size_t at = 0; (at = readings.find("backleft", at)) != std::string::npos; at += label.size()) {

@@ -162,7 +162,9 @@ TEST_F(ResultSchema, OfCouplings) {
 
 TEST_F(ResultSchema, OfFits) {
   take("points");
-  check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--towards", "0,0,1", "--json", "-"}, "fit");
+  check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--diameter", "25.4 mm", "--tip-diameter",
+         "6 mm", "--towards", "0,0,1", "--json", "-"},
+        "fit");
   check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--criterion", "minimum-zone", "--json", "-"},
         "fit");
   check({"fit", "points/ball-scan.pcd", "--shape", "sphere", "--unit", "m", "--diameter", "25.4mm", "--noise", "20um",

@@ -130,8 +130,9 @@ TEST(Model, AGroupThatCannotBeToldIsRefusedWithItsCombination) {
   const Identification one = test::identified(warm, one_known);
   std::vector<std::string> fixed;
   for (const FixedMember& member : one.fixed_members) fixed.push_back(member.name);
-  EXPECT_THAT(fixed, ::testing::UnorderedElementsAre("expansion2", "expansion4", "expansion5", "expansion6"));
-  one_known.hold = {"d3", "expansion2", "expansion4", "expansion5", "expansion6"};
+  EXPECT_THAT(fixed,
+              ::testing::UnorderedElementsAre("expansion1", "expansion2", "expansion4", "expansion5", "expansion6"));
+  one_known.hold = {"d3", "expansion1", "expansion2", "expansion4", "expansion5", "expansion6"};
   EXPECT_EQ(refusal(warm, one_known), "accepted");
   // The same at the reference temperature: nothing of it is seen.
   for (Reading& reading : warm.recording.readings) reading.arm_temperature = 20.0;

@@ -1,5 +1,6 @@
 // Other arms, placements and noise, begun from errors between those of a good nominal arm and several mm and
-// degrees: whether the truth is found, judged by lengths in the volume. More of them, by a simulator of its own: bench/basin_study.
+// degrees: whether the truth is found, judged by lengths in the volume. More of them, by a simulator of its own:
+// bench/basin_study.
 #include <gtest/gtest.h>
 
 #include "tests/support/programmes.h"
