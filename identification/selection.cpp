@@ -54,6 +54,15 @@ Expected<void> check_group(const Selection::Group& group, const Coupling& coupli
                   name_of(group.group), lost));
 }
 
+// Whether a member of a pair need not be fixed, because its partner is: where the last two axes are parallel (alpha of
+// the last joint 0 or 180 degrees), the directions that readings cannot tell are others than the pairs', and one
+// parameter more would be one too many.
+bool partner_is_fixed(const Selection& selection, const std::string& name, const std::vector<std::string>& fixed) {
+  return std::any_of(selection.pairs.begin(), selection.pairs.end(), [&](const WristPair& pair) {
+    return (pair.first == name && contains(fixed, pair.second)) || (pair.second == name && contains(fixed, pair.first));
+  });
+}
+
 }  // namespace
 
 std::vector<WristPair> wrist_pairs(const Arm& arm) {
@@ -77,7 +86,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
       return wrong_usage(fmt::format("{} cannot be both held and free", name));
     }
   }
-  Selection selection{hold, {}, free, {}, {}};
+  Selection selection{hold, {}, wrist_pairs(arm), free, {}, {}};
   for (const auto& name : free) {
     if (is_beside(parameters[find_parameter(parameters, name)])) {
       selection.beside.push_back(name);
@@ -145,6 +154,7 @@ Expected<std::vector<Parameter>> free_parameters(const Selection& selection, con
     }
   }
   std::vector<bool> held(coupling.parameters.size(), false);
+  std::vector<std::string> fixed;
   for (const auto& motion : coupling.lost) {
     const std::string& name = coupling.parameters[motion.leading].name;
     if (contains(selection.rather_free, name)) {
@@ -152,10 +162,12 @@ Expected<std::vector<Parameter>> free_parameters(const Selection& selection, con
                                      lost_in_words(coupling, motion)));
     }
     held[motion.leading] = true;
+    fixed.push_back(name);
   }
   std::vector<Parameter> free;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    if (!held[i] && !contains(selection.pair_held, coupling.parameters[i].name)) {
+    const std::string& name = coupling.parameters[i].name;
+    if (!held[i] && (!contains(selection.pair_held, name) || partner_is_fixed(selection, name, fixed))) {
       free.push_back(coupling.parameters[i]);
     }
   }

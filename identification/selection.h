@@ -21,6 +21,7 @@ std::vector<WristPair> wrist_pairs(const Arm& arm);
 struct Selection {
   std::vector<std::string> held;         ///< by request: taken as known
   std::vector<std::string> pair_held;    ///< the member of each wrist pair that is held in any case
+  std::vector<WristPair> pairs;          ///< of the last joint
   std::vector<std::string> rather_free;  ///< requested to be identified
   std::vector<std::string> beside;  ///< radii of tips and joint errors that are parameters here: all others are known
   /// What the model's groups add, without what is held.

@@ -241,6 +241,7 @@ Session probe(const Probing& probing) {
   Dice dice(probing.seed);
   Session session;
   session.nominal = gao_chain();
+  session.nominal.alpha[5] = probing.last_alpha * degree;
   Eigen::VectorXd values = parameters(session.nominal);
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const bool length = i < 12 || i == 24;

@@ -25,6 +25,7 @@ struct Probing {
   double cap = 90.0;            ///< degrees from the pole of a ball to the rim of what is touched of it
   double noise = 0.015;         ///< mm a coordinate of the tip
   double rough = 1.0;           ///< the nominal arm is off by this times 0.3 mm and 0.1 degrees (normal)
+  double last_alpha = 90.0;     ///< degrees, of the nominal arm's last joint
   int wrong_labels = 0;         ///< readings that carry the name of another feature of their placement
   std::uint64_t seed = 1;
 };
