@@ -24,12 +24,8 @@ constexpr double no_residuals = 1e-6;  // mm
 // Factor by which the noise in use is to be multiplied so that the residuals have their expected size.
 double noise_factor(const WhitenedResiduals& residuals, int degrees_of_freedom, Loss loss) {
   if (loss != Loss::None) {
-    std::vector<double> sizes;
-    for (const auto& feature : residuals.readings) {
-      std::transform(feature.begin(), feature.end(), std::back_inserter(sizes), [](double r) { return std::abs(r); });
-    }
-    const double unbias = std::sqrt(static_cast<double>(sizes.size()) / degrees_of_freedom);
-    return sigma_per_median() * median(sizes) * unbias;
+    const double unbias = std::sqrt(static_cast<double>(residuals.reading_count()) / degrees_of_freedom);
+    return residuals.deviation_by_median() * unbias;
   }
   const double left = std::max(0.5 * degrees_of_freedom, degrees_of_freedom - residuals.certificates_squared());
   return std::sqrt(residuals.readings_squared() / left);
@@ -48,6 +44,18 @@ void put_prior(const WeakPrior& prior, const System& system, SolveOptions& optio
 }
 
 }  // namespace
+
+void take_solution(Solution&& solution, const System& system, Eigen::VectorXd& x, ArmFit& fit) {
+  ++fit.rounds;
+  fit.iterations += solution.iterations;
+  fit.termination = std::move(solution.message);
+  fit.cost = solution.final_cost;
+  x = std::move(solution.x);
+  fit.unknowns = std::move(solution.unknowns);
+  fit.linearisation = std::move(solution.linearisation);
+  fit.arm = system.arm_at(x.data());
+  fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+}
 
 bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free) {
   double squares = 0.0;
@@ -102,9 +110,6 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     put_prior(prior, system, round);
     Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
                               fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
-    ++fit.rounds;
-    fit.iterations += solution.iterations;
-    fit.termination = solution.message;
     const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
     if (solution.termination != Termination::Converged && !is_usable) {
       return no_solution(
@@ -112,12 +117,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
                       "arm's file: joint order, signs, units",
                       solution.message));
     }
-    x = solution.x;
-    fit.unknowns = std::move(solution.unknowns);
-    fit.linearisation = std::move(solution.linearisation);
-    fit.arm = system.arm_at(x.data());
-    fit.cost = solution.final_cost;
-    fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+    take_solution(std::move(solution), system, x, fit);
     fit.loss_weights = loss_weights(constraints, fit.weights, round.loss, fit.residuals);
     if (options.loss != Loss::None) {
       // Near enough for robust_fit() to go on from.

@@ -38,6 +38,10 @@ struct WeakPrior {
   Arm nominal;
 };
 
+/// Puts a solution of `system` under the weights of `fit` into it: arm, unknowns, linearisation, cost, residuals and
+/// what the solver says of itself. `x` becomes the solution's.
+void take_solution(Solution&& solution, const System& system, Eigen::VectorXd& x, ArmFit& fit);
+
 /// Whether the parameters found with a prior contradict it (chi-squared, 0.1 %): then the readings do not determine the
 /// arm, and what the fit made of them is the bias of a nearly free direction.
 bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free);

@@ -12,7 +12,7 @@ namespace artcal {
 namespace {
 
 constexpr int most_iterations = 50;
-constexpr double cauchy_scale = 1.4826 * 2.385;
+constexpr double cauchy_width = 2.385;  // standard deviations
 // When readings of another feature are looked for: least squares miss by this share of the radius, and a robust fit
 // leaves half of the readings within that share of their rms.
 constexpr double gross_miss = 0.2;
@@ -138,7 +138,8 @@ Eigen::VectorXd misses(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, co
 Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho) {
   Eigen::Vector3d centre(median_of(p.row(0)), median_of(p.row(1)), median_of(p.row(2)));
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const double scale = std::max(1e-6 * rho.mean(), cauchy_scale * median_of(misses(p, rho, centre)));
+    const double scale =
+        std::max(1e-6 * rho.mean(), cauchy_width * sigma_per_median() * median_of(misses(p, rho, centre)));
     Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < p.cols(); ++i) {

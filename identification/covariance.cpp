@@ -1,8 +1,11 @@
 #include "identification/covariance.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
+#include "core/statistics.h"
 #include "identification/rows.h"
 #include "identification/svd.h"
 
@@ -30,6 +33,22 @@ double WhitenedResiduals::readings_squared() const {
 }
 
 double WhitenedResiduals::certificates_squared() const { return squared(distances) + squared(shared); }
+
+double WhitenedResiduals::deviation_by_median() const {
+  std::vector<double> sizes;
+  for (const auto& feature : readings) {
+    std::transform(feature.begin(), feature.end(), std::back_inserter(sizes), [](double r) { return std::abs(r); });
+  }
+  return sigma_per_median() * median(sizes);
+}
+
+std::size_t WhitenedResiduals::reading_count() const {
+  std::size_t count = 0;
+  for (const auto& feature : readings) {
+    count += feature.size();
+  }
+  return count;
+}
 
 WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
                                      const Unknowns& unknowns) {

@@ -25,6 +25,9 @@ struct WhitenedResiduals {
 
   [[nodiscard]] double readings_squared() const;
   [[nodiscard]] double certificates_squared() const;  ///< of distances and shared
+  /// The standard deviation of the readings' residuals by the median of their sizes.
+  [[nodiscard]] double deviation_by_median() const;
+  [[nodiscard]] std::size_t reading_count() const;  ///< of numbers, dimension() a reading
 };
 WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
                                      const Unknowns& unknowns);

@@ -7,7 +7,6 @@
 #include <Eigen/Cholesky>
 
 #include "core/in_quotes.h"
-#include "core/statistics.h"
 #include "core/units.h"
 #include "identification/strange.h"
 
@@ -122,11 +121,7 @@ double noise_ratio(const ArmFit& fit, Loss loss) {
     const double chi_squared = fit.residuals.readings_squared() + fit.residuals.certificates_squared();
     return std::sqrt(chi_squared / fit.degrees_of_freedom);
   }
-  std::vector<double> sizes;
-  for (const auto& feature : fit.residuals.readings) {
-    std::transform(feature.begin(), feature.end(), std::back_inserter(sizes), [](double r) { return std::abs(r); });
-  }
-  return 1.4826 * median(sizes);
+  return fit.residuals.deviation_by_median();
 }
 
 bool is_plausible(const Arm& nominal, const Arm& identified, const std::vector<Parameter>& free) {

@@ -37,6 +37,12 @@ void worst_first(std::vector<Item>& items) {
 struct Certificates {
   std::vector<CertificateOutlier> outliers;
   std::vector<Blame> blames;
+
+  void add(CertificateOutlier outlier, double size, double limit) {
+    outlier.standardised = size;
+    outlier.limit = limit;
+    outliers.push_back(std::move(outlier));
+  }
 };
 
 void add_distances(const Recording& recording, const Constraints& constraints, const ArmFit& fit,
@@ -62,10 +68,8 @@ void add_distances(const Recording& recording, const Constraints& constraints, c
     outlier.certified = distance.value;
     outlier.u = distance.u;
     outlier.deviation = deleted_deviation(residual, fit.weights.distances[d], fit.loss_weights.distances[d], check);
-    outlier.standardised = size;
-    outlier.limit = limit;
     outlier.weight = fit.loss_weights.distances[d];
-    found.outliers.push_back(outlier);
+    found.add(std::move(outlier), size, limit);
     for (const FeatureConstraint* feature : {&first, &second}) {
       found.blames.push_back({feature->artefact, feature->placement, feature->feature, size / limit});
     }
@@ -92,10 +96,8 @@ void add_shared(const Constraints& constraints, const ArmFit& fit, const Redunda
         shared.certified + (is_radius ? 0.0 : (*feature.at)[static_cast<Eigen::Index>(shared.quantity)]);
     outlier.u = shared.u;
     outlier.deviation = deleted_deviation(residual, fit.weights.shared[s], fit.loss_weights.shared[s], check);
-    outlier.standardised = size;
-    outlier.limit = limit;
     outlier.weight = fit.loss_weights.shared[s];
-    found.outliers.push_back(outlier);
+    found.add(std::move(outlier), size, limit);
     found.blames.push_back({shared.artefact, -1, shared.feature, size / limit});
   }
 }

@@ -78,15 +78,7 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
       return no_solution(fmt::format("the robust fit broke down ({})", solution.message));
     }
     converged = solution.termination == Termination::Converged;
-    ++fit.rounds;
-    fit.iterations += solution.iterations;
-    fit.termination = solution.message;
-    x = solution.x;
-    fit.unknowns = std::move(solution.unknowns);
-    fit.linearisation = std::move(solution.linearisation);
-    fit.arm = system.arm_at(x.data());
-    fit.cost = solution.final_cost;
-    fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
+    take_solution(std::move(solution), system, x, fit);
   }
   if (!converged || change > stands_hardly) {
     return no_solution(

@@ -1,14 +1,14 @@
 #include "identification/solution_search.h"
 
-#include "identification/group_fit.h"
-#include "identification/weak_parameters.h"
-
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include "identification/group_fit.h"
+#include "identification/weak_parameters.h"
 
 namespace artcal {
 namespace {
@@ -18,10 +18,8 @@ constexpr double same_minimum = 1e-3;
 constexpr double sure_noise_ratio = 3.0;
 constexpr int max_realignments = 3;
 
-using Fitted = GroupFit;
-
-Expected<Fitted> fitted(Expected<Preparation> preparation, const Recording& recording, const Constraints& constraints,
-                        const IdentifyOptions& options, const WeakPrior& prior = {}) {
+Expected<GroupFit> fitted(Expected<Preparation> preparation, const Recording& recording, const Constraints& constraints,
+                          const IdentifyOptions& options, const WeakPrior& prior = {}) {
   if (!preparation) {
     return tl::unexpected(preparation.error());
   }
@@ -41,7 +39,7 @@ Error hardly_determined(const std::vector<std::string>& names, bool scale) {
 
 // Whether a parameter ran away along a direction that the readings hardly determine: further from its nominal value
 // than three standard deviations of the prior, with a standard uncertainty above one.
-bool ran_away(const Fitted& fitted, const Arm& nominal) {
+bool ran_away(const GroupFit& fitted, const Arm& nominal) {
   const auto covariance = arm_covariance(fitted.fit.scale, fitted.fit.linearisation);
   for (Eigen::Index i = 0; covariance && i < covariance->rows(); ++i) {
     const Parameter& parameter = fitted.preparation.free[static_cast<std::size_t>(i)];
@@ -54,15 +52,15 @@ bool ran_away(const Fitted& fitted, const Arm& nominal) {
   return !covariance;
 }
 
-bool is_plausible(const Expected<Fitted>& fitted, const Arm& nominal) {
+bool is_plausible(const Expected<GroupFit>& fitted, const Arm& nominal) {
   return fitted && is_plausible(nominal, fitted->fit.arm, fitted->preparation.free) && !ran_away(*fitted, nominal);
 }
 
 // Where the fit fails: with a weak prior on parameters that the readings hardly determine, then without it from the arm
 // found. `weak` gets their names where the prior stays.
-Expected<Fitted> fitted_with_prior(Expected<Fitted> failed, const Preparation& preparation, const Recording& recording,
-                                   const Constraints& constraints, const IdentifyOptions& options,
-                                   std::vector<std::string>& weak) {
+Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparation& preparation,
+                                     const Recording& recording, const Constraints& constraints,
+                                     const IdentifyOptions& options, std::vector<std::string>& weak) {
   const auto found = find_weak_parameters(recording, constraints, preparation.start, preparation.free, options.noise);
   if (!found) {
     return failed;
@@ -189,12 +187,11 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
       first_error = first_error ? first_error : candidate.error();
       continue;
     }
-    candidate->attempt = attempt;
     const bool near = starts_near && alignment == Alignment::None;
     if (!near || !candidate->misfits.empty()) {
       improve(*candidate, recording, constraints, options);
-      candidate->attempt = attempt;
     }
+    candidate->attempt = attempt;
     confirmed = candidate->misfits.empty() &&
                 (near || as_stated(*candidate, options) || (best && confirms(*candidate, *best, options)));
     if (!best || is_better(*candidate, *best, options)) {

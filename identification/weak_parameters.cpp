@@ -21,7 +21,7 @@ constexpr double tip_preference = 0.1;
 // to absorb noise.
 constexpr double max_scale_uncertainty = 4e-3;
 
-// The higher, the rather fixed: lengths of outer joints first, a before d; never a tip or a scale's only length.
+// The higher, the rather fixed: lengths of outer joints first, a before d; then a tip, then all others.
 double preference(const Parameter& parameter) {
   if (parameter.kind == ParameterKind::A) {
     return 2.0 * parameter.owner + 2.0;
