@@ -12,22 +12,6 @@
 
 namespace artcal {
 
-double root_mean_square(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double v : values) {
-    sum += v * v;
-  }
-  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-double max_abs(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double v : values) {
-    largest = std::max(largest, std::abs(v));
-  }
-  return largest;
-}
-
 double median(std::span<const double> values) {
   assert(!values.empty());
   std::vector<double> sorted(values.begin(), values.end());
@@ -41,10 +25,6 @@ double median(std::span<const double> values) {
 
 double chi_squared_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
-}
-
-double chi_squared_probability(double value, double degrees_of_freedom) {
-  return boost::math::cdf(boost::math::chi_squared(degrees_of_freedom), value);
 }
 
 double f_probability_above(double value, double numerator_freedom, double denominator_freedom) {

@@ -1,17 +1,14 @@
 #include "identification/leave_out.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
-#include <thread>
 #include <utility>
+
+#include "core/parallel.h"
 
 namespace artcal {
 namespace {
 
 using Place = std::pair<int, int>;  // artefact, placement
-
-constexpr std::size_t most_threads = 256;
 
 std::vector<Place> places_of(const Constraints& constraints) {
   std::vector<Place> places;
@@ -57,22 +54,8 @@ std::vector<LeftOut> leave_placements_out(const Recording& recording, const Cons
     return {};
   }
   std::vector<LeftOut> results(places.size());
-  // Plain threads: the thread sanitizer sees all of them, as it does not with Debian's libtbb.
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < places.size(); i = next++) {
-      results[i] = leave_out(recording, constraints, places[i], identify_without);
-    }
-  };
-  const auto wanted = threads > 0 ? static_cast<std::size_t>(threads) : std::thread::hardware_concurrency();
-  std::vector<std::future<void>> others;
-  while (others.size() + 1 < std::min({wanted, places.size(), most_threads})) {
-    others.push_back(std::async(std::launch::async, work));
-  }
-  work();
-  for (auto& other : others) {
-    other.get();
-  }
+  parallel_for(places.size(), threads,
+               [&](std::size_t i) { results[i] = leave_out(recording, constraints, places[i], identify_without); });
   return results;
 }
 

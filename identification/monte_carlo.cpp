@@ -1,13 +1,13 @@
 #include "identification/monte_carlo.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <future>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "core/parallel.h"
 #include "identification/trial_maker.h"
 
 namespace artcal {
@@ -16,7 +16,6 @@ namespace {
 constexpr std::int64_t pilot_trials = 200;
 constexpr std::int64_t trials_a_round = 10'000;  // JCGM 101 §7.9.4 b: max(10⁴, 100/(1 − p))
 constexpr std::int64_t trials_at_once = 50;      // that a thread takes
-constexpr std::size_t most_threads = 256;
 // Pilot trials are trials of this seed's own.
 constexpr std::uint64_t pilot_mark = 0x9e3779b97f4a7c15ULL;
 
@@ -71,9 +70,6 @@ Expected<MonteCarloCount> MonteCarlo::begin(std::int64_t first) const {
 Expected<void> MonteCarlo::run(MonteCarloCount& count, const TrialsWanted& wanted, const MonteCarloWatch& watch) const {
   const auto stopped = [&] { return watch.stop != nullptr && watch.stop->load(); };
   const std::int64_t last = wanted.number.value_or(count.first + most_trials);
-  const auto threads =
-      std::min(most_threads, watch.threads > 0 ? static_cast<std::size_t>(watch.threads)
-                                               : std::max<std::size_t>(1, std::thread::hardware_concurrency()));
   while (count.end < last && !stopped()) {
     // Rounds end at the same trials whatever was done before, so that decisions do not depend on it.
     const std::int64_t round_end = std::min(last, (count.end / trials_a_round + 1) * trials_a_round);
@@ -96,14 +92,7 @@ Expected<void> MonteCarlo::run(MonteCarloCount& count, const TrialsWanted& wante
         }
       }
     };
-    std::vector<std::future<void>> others;
-    while (others.size() + 1 < threads) {
-      others.push_back(std::async(std::launch::async, work));
-    }
-    work();
-    for (auto& other : others) {
-      other.get();
-    }
+    on_threads(thread_count(watch.threads, static_cast<std::size_t>(round_end - count.end)), work);
     keep_the_first(count.not_converged_first);
     if (watch.round_done) {
       watch.round_done(count);

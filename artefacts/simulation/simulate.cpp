@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
-#include <thread>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -14,6 +13,7 @@
 #include "artefacts/simulation/simulated_scans.h"
 #include "artefacts/simulation/true_arm.h"
 #include "core/in_quotes.h"
+#include "core/parallel.h"
 
 namespace artcal {
 namespace {
@@ -42,12 +42,7 @@ Outcome take_all(const Scene& scene, const std::vector<Job>& jobs, int threads) 
       }
     }
   };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < std::min(threads, count); ++i) {
-    others.emplace_back(work);
-  }
-  work();
-  others.clear();
+  on_threads(thread_count(threads, jobs.size()), work);
   if (first_failed < count) {
     outcome.failed = first_failed;
   }
@@ -162,7 +157,6 @@ double planned_readings(const SimulationPlan& plan) {
 }
 
 Expected<Simulation> simulate(const SimulationPlan& plan, int threads) {
-  const int workers = std::clamp(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()), 1, 256);
   Simulation made;
   made.arm = drawn_arm(plan);
   for (std::size_t i = 0; i < plan.artefacts.size(); ++i) {
@@ -185,7 +179,7 @@ Expected<Simulation> simulate(const SimulationPlan& plan, int threads) {
     const std::vector<Job> jobs = jobs_of(plan, p);
     Scene scene{plan, made.arm, made.artefacts[placement.artefact], p, placement.base_from_artefact.value_or(Rigid{})};
     const auto taken =
-        placement.base_from_artefact ? take_placed(scene, jobs, workers) : take_drawn(scene, jobs, workers);
+        placement.base_from_artefact ? take_placed(scene, jobs, threads) : take_drawn(scene, jobs, threads);
     if (!taken) {
       return tl::unexpected(taken.error());
     }

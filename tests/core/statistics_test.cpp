@@ -9,16 +9,6 @@
 namespace artcal {
 namespace {
 
-TEST(Statistics, RootMeanSquare) {
-  EXPECT_DOUBLE_EQ(root_mean_square(std::array{3.0, -4.0}), 3.5355339059327378);
-  EXPECT_EQ(root_mean_square({}), 0.0);
-}
-
-TEST(Statistics, MaxAbsSeesNegativeValues) {
-  EXPECT_EQ(max_abs(std::array{1.0, -7.0, 3.0}), 7.0);
-  EXPECT_EQ(max_abs({}), 0.0);
-}
-
 TEST(Statistics, MedianOfOddAndEvenCounts) {
   EXPECT_EQ(median(std::array{5.0}), 5.0);
   EXPECT_EQ(median(std::array{9.0, 1.0, 5.0}), 5.0);
@@ -44,15 +34,11 @@ TEST(Statistics, ChiSquaredQuantilesOfTheTables) {
   EXPECT_NEAR(chi_squared_quantile(0.975, 100), 129.561, 5e-4);
 }
 
-TEST(Statistics, ChiSquaredProbabilityIsTheInverse) {
-  for (const double freedom : {1.0, 2.0, 7.0, 300.0, 30000.0}) {
-    for (const double probability : {0.001, 0.05, 0.5, 0.95, 0.999}) {
-      EXPECT_NEAR(chi_squared_probability(chi_squared_quantile(probability, freedom), freedom), probability, 1e-10);
-    }
+// Two degrees of freedom have a closed form: -2 log(1 - p).
+TEST(Statistics, ChiSquaredQuantilesOfTwoDegreesOfFreedom) {
+  for (const double probability : {0.001, 0.05, 0.5, 0.95, 0.999}) {
+    EXPECT_NEAR(chi_squared_quantile(probability, 2.0), -2.0 * std::log1p(-probability), 1e-12);
   }
-  EXPECT_EQ(chi_squared_probability(0.0, 5.0), 0.0);
-  // Two degrees of freedom have a closed form: 1 - exp(-x/2).
-  EXPECT_NEAR(chi_squared_probability(2.0, 2.0), 0.63212055882855768, 1e-15);
 }
 
 // Two-sided 95 % and 99 % points of Student's distribution: scipy 1.10 stats.t.ppf (to 1e-8); JCGM 100,
