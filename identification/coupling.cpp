@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/QR>
 
+#include "identification/common_scale.h"
 #include "identification/consistent.h"
 #include "identification/settle.h"
 #include "identification/svd.h"
@@ -35,51 +35,6 @@ std::vector<int> indices_of(const std::vector<Parameter>& parameters, const std:
   return indices;
 }
 
-// Reduces the null space (parameters × dimensions, orthonormal columns) to one motion a held parameter in
-// which no other held parameter takes part: Gauss-Jordan with the pivots in the order of preference.
-std::vector<ParameterMotion> reduce(Eigen::MatrixXd null_space, const std::vector<int>& preferred,
-                                    const std::vector<int>& last) {
-  std::vector<int> pivots;
-  const auto try_pivot = [&](int parameter, double least) {
-    const auto done = static_cast<Eigen::Index>(pivots.size());
-    if (done == null_space.cols() || std::find(pivots.begin(), pivots.end(), parameter) != pivots.end()) {
-      return;
-    }
-    Eigen::Index best = 0;
-    const double size = null_space.row(parameter).tail(null_space.cols() - done).cwiseAbs().maxCoeff(&best);
-    if (size <= least * null_space.rightCols(null_space.cols() - done).cwiseAbs().maxCoeff()) {
-      return;
-    }
-    null_space.col(done).swap(null_space.col(done + best));
-    null_space.col(done) /= null_space(parameter, done);
-    for (Eigen::Index other = 0; other < null_space.cols(); ++other) {
-      if (other != done) {
-        null_space.col(other) -= null_space(parameter, other) * null_space.col(done);
-      }
-    }
-    pivots.push_back(parameter);
-  };
-  for (const int parameter : preferred) {
-    try_pivot(parameter, 1e-6);
-  }
-  const auto is_last = [&](int p) { return std::find(last.begin(), last.end(), p) != last.end(); };
-  for (const double least : {1e-2, 1e-6}) {
-    for (int parameter = 0; parameter < null_space.rows(); ++parameter) {
-      if (!is_last(parameter)) {
-        try_pivot(parameter, least);
-      }
-    }
-  }
-  for (const int parameter : last) {
-    try_pivot(parameter, 0.0);
-  }
-  std::vector<ParameterMotion> motions;
-  for (std::size_t i = 0; i < pivots.size(); ++i) {
-    motions.push_back({null_space.col(static_cast<Eigen::Index>(i)), pivots[i]});
-  }
-  return motions;
-}
-
 // To mm and rad, the leading coefficient 1, what takes no part exactly 0.
 ParameterMotion in_real_units(const ParameterMotion& motion, const Eigen::VectorXd& scale) {
   Eigen::VectorXd clean = motion.coefficients;
@@ -92,54 +47,28 @@ ParameterMotion in_real_units(const ParameterMotion& motion, const Eigen::Vector
   return {clean, motion.leading};
 }
 
-// The common growth of all lengths, in physical units: the motion that readings without any calibrated length cannot
-// see. Torques grow with lengths, so that compliances shrink.
-Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& parameters, const Eigen::VectorXd& scale) {
-  Eigen::VectorXd motion = Eigen::VectorXd::Zero(scale.size());
-  for (Eigen::Index i = 0; i < motion.size(); ++i) {
-    const double size = value(arm, parameters[i]) / scale[i];
-    motion[i] = parameters[i].is_length() ? size : parameters[i].kind == ParameterKind::Compliance ? -size : 0.0;
-  }
-  return motion;
-}
-
-// The part of the growth that is seen whatever the tips' radii do: with balls of one size an unknown radius of the
-// tip takes up the growth of the ball.
-Eigen::VectorXd seen_beside_radii(const Eigen::VectorXd& growth, const Eigen::MatrixXd& null_space,
-                                  const std::vector<Parameter>& parameters) {
-  Eigen::MatrixXd unseen = null_space;
-  for (Eigen::Index i = 0; i < growth.size(); ++i) {
-    if (parameters[i].kind == ParameterKind::Radius) {
-      unseen.conservativeResize(growth.size(), unseen.cols() + 1);
-      unseen.rightCols<1>() = Eigen::VectorXd::Unit(growth.size(), i);
+// By how much a parameter of an arm is usually off, in physical units: lengths by as much as angles a tenth of the
+// reach away move the tip.
+Eigen::VectorXd usual_errors(const Arm& arm, const std::vector<Parameter>& parameters, const Eigen::VectorXd& scale) {
+  Eigen::VectorXd errors = Eigen::VectorXd::Ones(scale.size());
+  for (Eigen::Index i = 0; i < errors.size(); ++i) {
+    if (parameters[i].is_angle()) {
+      errors[i] = 1.0 / (scale[i] * 0.1 * reach(arm));
     }
   }
-  if (unseen.cols() == 0) {
-    return growth;
-  }
-  return growth - unseen * unseen.completeOrthogonalDecomposition().solve(growth);
-}
-
-// A length taken as known fixes the scale even if no reading does.
-bool scale_is_asked(const Arm& arm, const std::vector<Parameter>& asked) {
-  const auto all = parameters_of(arm);
-  return std::all_of(all.begin(), all.end(), [&](const Parameter& parameter) {
-    return !parameter.is_length() || value(arm, parameter) == 0.0 || find_parameter(asked, parameter.name) >= 0;
-  });
+  return errors;
 }
 
 void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eigen::VectorXd& growth,
-               const std::vector<ParameterMotion>& lost_scaled, double weak_below, Coupling& coupling) {
+               const FixedParameters& fixed, double weak_below, Coupling& coupling) {
   for (Eigen::Index i = coupling.rank - 1; i >= 0; --i) {
     const double singular_value = coupling.singular_values[i];
     if (singular_value >= weak_below * coupling.singular_values[0]) {
       break;
     }
-    // What is held takes no part: the same direction, told in the free parameters.
-    Eigen::VectorXd direction = v.col(i);
-    for (const auto& lost : lost_scaled) {
-      direction -= direction[lost.leading] * lost.coefficients;
-    }
+    // What is fixed takes no part: the same direction, in terms of the free parameters.
+    const Eigen::VectorXd at_fixed = v.col(i)(fixed.indices);
+    const Eigen::VectorXd direction = v.col(i) - fixed.motions * at_fixed;
     Eigen::Index leading = 0;
     direction.cwiseAbs().maxCoeff(&leading);
     const double share = growth.norm() > 0.0 ? std::abs(v.col(i).dot(growth)) / growth.norm() : 0.0;
@@ -221,17 +150,19 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   const Eigen::MatrixXd& v = decomposition.right_vectors;
   const Eigen::MatrixXd null_space = v.rightCols(v.cols() - coupling.rank);
-  const auto lost_scaled =
-      reduce(null_space, indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free));
-  for (const auto& motion : lost_scaled) {
-    coupling.lost.push_back(in_real_units(motion, system.scale));
+  const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters, system.scale);
+  const Eigen::VectorXd lost_scale = unidentifiable_scale(arm, coupling.parameters, growth, null_space);
+  const SimplestDirections directions = simplest_directions(
+      null_space, usual_errors(arm, coupling.parameters, system.scale),
+      {indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free)}, lost_scale);
+  for (Eigen::Index i = 0; i < directions.shown.cols(); ++i) {
+    const int fixed = directions.fixed.indices[static_cast<std::size_t>(i)];
+    coupling.lost.push_back(in_real_units({directions.shown.col(i), fixed}, system.scale));
   }
   // What of the growth is not lost anyway.
-  const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters, system.scale);
   const Eigen::VectorXd seen = growth - null_space * (null_space.transpose() * growth);
-  find_weak(v, system.scale, seen, lost_scaled, options.weak_below, coupling);
-  if (growth.norm() > 0.0 && scale_is_asked(arm, coupling.parameters) &&
-      seen_beside_radii(growth, null_space, coupling.parameters).norm() < 1e-6 * growth.norm()) {
+  find_weak(v, system.scale, seen, directions.fixed, options.weak_below, coupling);
+  if (lost_scale.size() > 0) {
     coupling.scale = ScaleState::Lost;
   } else if (std::any_of(coupling.weak.begin(), coupling.weak.end(),
                          [](const WeakDirection& weak) { return weak.share_of_scale > 0.7; })) {

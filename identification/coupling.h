@@ -51,7 +51,7 @@ struct CouplingOptions {
   std::vector<std::string> rather_free;  ///< and these last
   Noise noise;                           ///< for what distances and readings are worth to each other
   double angle_scale = 0.0;              ///< mm; 0 takes the reach
-  double lost_below = 1e-10;             ///< σ/σ1; a lost direction comes out at 1e-13 and a weak one at 1e-4
+  double lost_below = 1e-8;              ///< σ/σ1; a lost direction comes out at 1e-13 and a weak one at 1e-4
   double weak_below = 2e-2;              ///< σ/σ1: a fiftieth of the best direction is poor
 };
 

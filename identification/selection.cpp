@@ -1,10 +1,12 @@
 #include "identification/selection.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "acquisition/sweep.h"
 #include "identification/lost_text.h"
 
 namespace artcal {
@@ -34,6 +36,27 @@ bool is_beside(const Parameter& parameter) {
   return parameter.kind == ParameterKind::Radius || parameter.is_joint_error();
 }
 
+// Whether both parameters of a pair move every tip of the arm along the same line, in the same proportion.
+bool is_one_sum(Arm arm, const WristPair& pair) {
+  const auto all = parameters_of(arm);
+  const std::vector<Parameter> both{all[find_parameter(all, pair.first)], all[find_parameter(all, pair.second)]};
+  std::vector<double> sines;
+  for (Joint& joint : arm.joints) {
+    joint.errors = {};
+    sines.insert(sines.end(), {0.0, 1.0});  // one posture will do: both move the tip in the last joint's own frame
+  }
+  Eigen::MatrixX2d moves(3 * std::ssize(arm.probes), 2);
+  for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
+    std::vector<double> by_both(6);
+    Sweep(arm, both, probe).tip_in_base(sines, by_both.data());
+    moves.middleRows<3>(3 * probe) = Eigen::Matrix<double, 3, 2>::Map(by_both.data());
+  }
+  moves.col(1) /= std::max(1.0, reach(arm));
+  const double sizes = moves.col(0).norm() * moves.col(1).norm();
+  const double across = std::sqrt(std::max(0.0, sizes * sizes - std::pow(moves.col(0).dot(moves.col(1)), 2)));
+  return moves.col(1).norm() > 1e-9 && across < 1e-7 * sizes;
+}
+
 // Whether the readings identify any member of a group, given which motions are lost. A member that they do not identify
 // alone is fixed like any other parameter, and the rest of the group stays.
 Expected<void> check_group(const Selection::Group& group, const Coupling& coupling) {
@@ -52,15 +75,6 @@ Expected<void> check_group(const Selection::Group& group, const Coupling& coupli
       fmt::format("the group {} was asked for, but these readings identify no parameter of it: {}. Leave it out of the "
                   "model",
                   name_of(group.group), lost));
-}
-
-// Whether a member of a pair need not be fixed, because its partner is: where the last two axes are parallel (alpha of
-// the last joint 0 or 180 degrees), the directions that readings cannot tell are others than the pairs', and one
-// parameter more would be one too many.
-bool partner_is_fixed(const Selection& selection, const std::string& name, const std::vector<std::string>& fixed) {
-  return std::any_of(selection.pairs.begin(), selection.pairs.end(), [&](const WristPair& pair) {
-    return (pair.first == name && contains(fixed, pair.second)) || (pair.second == name && contains(fixed, pair.first));
-  });
 }
 
 }  // namespace
@@ -86,7 +100,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
       return wrong_usage(fmt::format("{} cannot be both held and free", name));
     }
   }
-  Selection selection{hold, {}, wrist_pairs(arm), free, {}, {}};
+  Selection selection{hold, {}, free, {}, {}};
   for (const auto& name : free) {
     if (is_beside(parameters[find_parameter(parameters, name)])) {
       selection.beside.push_back(name);
@@ -110,19 +124,18 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
     selection.groups.push_back(std::move(added));
     for (const auto& name : held_with(group, arm)) {
       if (!contains(free, name) && !contains(hold, name)) {
-        selection.pair_held.push_back(name);
+        selection.fixed_first.push_back(name);
       }
     }
   }
   for (const WristPair& pair : wrist_pairs(arm)) {
-    if (contains(free, pair.first) && contains(free, pair.second)) {
+    if (contains(free, pair.first) && contains(free, pair.second) && is_one_sum(arm, pair)) {
       return wrong_usage(
           fmt::format("{} and {} are never identified together: readings tell only one sum of the two; "
                       "free one of them",
                       pair.first, pair.second));
     }
-    const bool second = contains(free, pair.first) || (contains(hold, pair.second) && !contains(hold, pair.first));
-    selection.pair_held.push_back(second ? pair.second : pair.first);
+    selection.fixed_first.push_back(contains(free, pair.first) ? pair.second : pair.first);
   }
   return selection;
 }
@@ -138,8 +151,8 @@ CouplingOptions coupling_options(const Selection& selection) {
   CouplingOptions options;
   options.not_asked = selection.held;
   options.beside_asked = selection.beside;
-  // What is held in any case, then members of groups: a lost motion that they take part in beside is told by them.
-  options.rather_held = selection.pair_held;
+  // The last joint's pairs, then members of groups: a lost motion that they take part in beside is told by them.
+  options.rather_held = selection.fixed_first;
   for (const Selection::Group& group : selection.groups) {
     options.rather_held.insert(options.rather_held.end(), group.members.begin(), group.members.end());
   }
@@ -154,7 +167,6 @@ Expected<std::vector<Parameter>> free_parameters(const Selection& selection, con
     }
   }
   std::vector<bool> held(coupling.parameters.size(), false);
-  std::vector<std::string> fixed;
   for (const auto& motion : coupling.lost) {
     const std::string& name = coupling.parameters[motion.leading].name;
     if (contains(selection.rather_free, name)) {
@@ -162,12 +174,10 @@ Expected<std::vector<Parameter>> free_parameters(const Selection& selection, con
                                      lost_in_words(coupling, motion)));
     }
     held[motion.leading] = true;
-    fixed.push_back(name);
   }
   std::vector<Parameter> free;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    const std::string& name = coupling.parameters[i].name;
-    if (!held[i] && (!contains(selection.pair_held, name) || partner_is_fixed(selection, name, fixed))) {
+    if (!held[i]) {
       free.push_back(coupling.parameters[i]);
     }
   }
