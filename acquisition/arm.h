@@ -75,8 +75,8 @@ bool has_masses(const Arm& arm);
 /// Whether the arm's lengths depend on its temperature.
 bool expands(const Arm& arm);
 
-/// The length of the arm stretched out, from its first axis to the tip of its longest probe: the sum of
-/// |a| and |d| after the first joint's d, and |tip|. This is what makes an angle comparable to a length.
+/// The length of the arm stretched out, from its first axis to the tip of its longest probe: the sum of |a| and |d|
+/// after the first joint's d, and |tip|. Of d along nearly parallel axes that cancel, only what is left of them counts.
 double reach(const Arm& arm);
 
 /// Index of the probe by name, or -1.

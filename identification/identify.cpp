@@ -15,6 +15,7 @@
 #include "identification/judgement.h"
 #include "identification/leave_out.h"
 #include "identification/outliers.h"
+#include "identification/parallel_axes.h"
 #include "identification/preparation.h"
 #include "identification/residual_search.h"
 #include "identification/solution_search.h"
@@ -117,6 +118,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.model_study = search_residuals(identified, *fit, recording);
   if (auto warning = warning_of(result.model_study); !warning.empty()) {
     result.warnings.push_back(std::move(warning));
+  }
+  if (auto note = note_on_parallel_axes(recording, constraints, options, result.after); !note.empty()) {
+    result.warnings.push_back(std::move(note));
   }
   result.iterations = fit->iterations;
   result.noise_rounds = fit->rounds;
