@@ -65,7 +65,7 @@ std::string note_on_parallel_axes(const Recording& recording, const Constraints&
   }
   const double share = with_angle->overall.rms / after.overall.rms - 1.0;
   return text + (share < 0.0 ? fmt::format("With --model {} the readings are fitted to {:.4g} mm rms instead of {:.4g} "
-                                           "mm, {:.2g} % less",
+                                           "mm, {:.3g} % less",
                                            model, with_angle->overall.rms, after.overall.rms, -100.0 * share)
                              : fmt::format("With --model {} the readings are fitted no better: {:.4g} mm rms instead "
                                            "of {:.4g} mm",

@@ -18,6 +18,30 @@ TEST(Reach, IsTheStretchedLengthBehindTheFirstAxis) {
   EXPECT_NEAR(reach(arm), 20.0 + 65.0 + 50.0, 1e-8);
 }
 
+// Along nearly parallel axes, d of hundreds of metres that cancel lead no farther than a few metres; each alone, or
+// with axes across one another, they do.
+TEST(Reach, CountsWhatIsLeftOfOffsetsThatCancel) {
+  Arm arm;
+  arm.joints = {{.d = 128.0, .alpha = 1.5708},
+                {.a = -339.5, .d = 470769.03, .alpha = 0.0011},
+                {.a = 255.9, .d = -699689.32, .alpha = 0.0022},
+                {.a = 0.2, .d = 229083.97, .alpha = 1.5708},
+                {.d = 115.8, .alpha = 1.5708},
+                {}};
+  arm.probes = {{"tip", {0.0, 0.0, 192.3}, 0.0, true}};
+  const testing::ArmNumbers<double> numbers(arm);
+  for (int i = 0; i < 200; ++i) {
+    RandomStream random(2, "reach", static_cast<std::uint64_t>(i));
+    const auto q = testing::random_joints(random, 6);
+    EXPECT_LE((testing::tip_in_base(numbers, q, 0) - Eigen::Vector3d(0.0, 0.0, 128.0)).norm(), reach(arm));
+  }
+  EXPECT_LT(reach(arm), 5000.0);
+  arm.joints[1].alpha = 1.0;
+  EXPECT_GT(reach(arm), 1e6);
+  arm.joints[1].alpha = 3.1405;  // the axes point opposite ways: now the first two add up
+  EXPECT_GT(reach(arm), 1e6);
+}
+
 // No pose takes a tip farther from the first axis than the reach.
 TEST(Reach, BoundsEveryPose) {
   for (int i = 0; i < 200; ++i) {
