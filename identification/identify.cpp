@@ -60,10 +60,13 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   }
   auto found = search_solution(recording, constraints, options);
   if (!found) {
-    return tl::unexpected(with_reason(found.error(), recording, constraints, recording.arm));
+    return tl::unexpected(with_parallel_axes(with_reason(found.error(), recording, constraints, recording.arm),
+                                             recording, constraints, options));
   }
   if (!found->misfits.empty() && !options.accept_misfit) {
-    return tl::unexpected(misfit_error(found->misfits, found->attempt, strangers(recording, constraints, options)));
+    return tl::unexpected(
+        with_parallel_axes(misfit_error(found->misfits, found->attempt, strangers(recording, constraints, options)),
+                           recording, constraints, options));
   }
   Preparation* const preparation = &found->preparation;
   const ArmFit* const fit = &found->fit;

@@ -6,24 +6,20 @@
 #include <fmt/format.h>
 
 #include "core/units.h"
-#include "identification/arm_fit.h"
-#include "identification/preparation.h"
+#include "identification/solution_search.h"
 
 namespace artcal {
 namespace {
 
-Expected<Evaluation> evaluated_with(const Recording& recording, const Constraints& constraints,
-                                    const IdentifyOptions& options) {
-  const auto preparation = prepare(recording, constraints, options);
-  if (!preparation) {
-    return tl::unexpected(preparation.error());
-  }
-  const auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise,
-                           {options.loss, options.max_iterations});
-  if (!fit) {
-    return tl::unexpected(fit.error());
-  }
-  return evaluate(recording, constraints, fit->arm);
+// Whether such axes are to be spoken of: not where the model has Hayati's angle, or may be given it.
+bool is_asked(const IdentifyOptions& options) {
+  return !options.automatic &&
+         std::find(options.model.begin(), options.model.end(), ParameterGroup::Hayati) == options.model.end();
+}
+
+IdentifyOptions with_hayati(IdentifyOptions options) {
+  options.model.push_back(ParameterGroup::Hayati);
+  return options;
 }
 
 }  // namespace
@@ -45,31 +41,45 @@ std::string parallel_axes(const Arm& arm) {
 
 std::string note_on_parallel_axes(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options, const Evaluation& after) {
-  const bool has_group =
-      std::find(options.model.begin(), options.model.end(), ParameterGroup::Hayati) != options.model.end();
-  const std::string axes = has_group || options.automatic ? "" : parallel_axes(recording.arm);
+  const std::string axes = is_asked(options) ? parallel_axes(recording.arm) : "";
   if (axes.empty()) {
     return "";
   }
-  IdentifyOptions wider = options;
-  wider.model.push_back(ParameterGroup::Hayati);
+  const IdentifyOptions wider = with_hayati(options);
   const std::string model = model_text(wider.model);
-  std::string text = fmt::format(
+  const std::string text = fmt::format(
       "neighbouring axes are nearly parallel: {}. Denavit-Hartenberg parameters do not describe a small tilt of such "
       "axes in every direction; Hayati's angle does. ",
       axes);
-  const auto with_angle = evaluated_with(recording, constraints, wider);
-  if (!with_angle) {
-    return text +
-           fmt::format("These readings cannot be fitted with it, --model {} ({})", model, with_angle.error().message);
+  const auto found = search_solution(recording, constraints, wider);
+  if (!found || !found->misfits.empty()) {
+    return text + fmt::format("With --model {} there is no solution: {}", model,
+                              found ? found->misfits.front() : found.error().message);
   }
-  const double share = with_angle->overall.rms / after.overall.rms - 1.0;
-  return text + (share < 0.0 ? fmt::format("With --model {} the readings are fitted to {:.4g} mm rms instead of {:.4g} "
-                                           "mm, {:.3g} % less",
-                                           model, with_angle->overall.rms, after.overall.rms, -100.0 * share)
-                             : fmt::format("With --model {} the readings are fitted no better: {:.4g} mm rms instead "
-                                           "of {:.4g} mm",
-                                           model, with_angle->overall.rms, after.overall.rms));
+  const double share = found->after.overall.rms / after.overall.rms - 1.0;
+  if (!(share < 0.0)) {
+    return text + fmt::format("With --model {} the residuals are not smaller: {:.4g} mm rms instead of {:.4g} mm",
+                              model, found->after.overall.rms, after.overall.rms);
+  }
+  return text + fmt::format("With --model {} the residuals are {:.4g} mm rms instead of {:.4g} mm, {:.3g} % less",
+                            model, found->after.overall.rms, after.overall.rms, -100.0 * share);
+}
+
+Error with_parallel_axes(Error error, const Recording& recording, const Constraints& constraints,
+                         const IdentifyOptions& options) {
+  const bool no_solution = error.code == ErrorCode::NoSolution;
+  const std::string axes = no_solution && is_asked(options) ? parallel_axes(recording.arm) : "";
+  if (axes.empty()) {
+    return error;
+  }
+  const IdentifyOptions wider = with_hayati(options);
+  if (const auto found = search_solution(recording, constraints, wider); found && found->misfits.empty()) {
+    error.message += fmt::format(
+        ". Neighbouring axes are nearly parallel: {}; with Hayati's angle, --model {}, there is a solution with "
+        "residuals of {:.4g} mm rms",
+        axes, model_text(wider.model), found->after.overall.rms);
+  }
+  return error;
 }
 
 }  // namespace artcal

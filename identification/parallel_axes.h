@@ -19,4 +19,9 @@ std::string parallel_axes(const Arm& arm);
 std::string note_on_parallel_axes(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options, const Evaluation& after);
 
+/// Where no solution was found: the error, with the advice to use the group `hayati` if the arm has such axes and there
+/// is a solution with the group.
+Error with_parallel_axes(Error error, const Recording& recording, const Constraints& constraints,
+                         const IdentifyOptions& options);
+
 }  // namespace artcal

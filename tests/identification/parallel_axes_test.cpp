@@ -106,7 +106,7 @@ TEST(ParallelAxes, WhatHayatisAngleGivesIsComputed) {
   ASSERT_TRUE(nominal);
   const std::string note = note_on_parallel_axes(bound.recording, bound.constraints, options, *nominal);
   EXPECT_THAT(note, HasSubstr("axes 2 and 3 (0 deg), axes 3 and 4 (0 deg)"));
-  EXPECT_THAT(note, HasSubstr("With --model dh+hayati the readings are fitted to"));
+  EXPECT_THAT(note, HasSubstr("With --model dh+hayati the residuals are"));
   EXPECT_THAT(note, HasSubstr("100 % less"));
   options.model = {ParameterGroup::Hayati};
   EXPECT_LT(test::identified(bound, options).after.overall.rms, 1e-7);
