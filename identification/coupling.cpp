@@ -18,6 +18,10 @@ namespace {
 constexpr double shortest_arm = 10.0;
 constexpr double longest_arm = 1e5;
 
+// Where no singular value is larger, mm per mm, readings determine nothing and singular values are rounding: those of
+// an arm that was in one posture at each point, say.
+constexpr double min_sigma_max = 1.0;
+
 // Below this, relative to the largest coefficient and in physical units, a parameter takes no part.
 constexpr double no_part = 1e-7;
 
@@ -139,8 +143,8 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
   const Svd decomposition = svd(triangle);
   coupling.singular_values = decomposition.values;
-  coupling.rank =
-      static_cast<int>((coupling.singular_values.array() > options.lost_below * coupling.singular_values[0]).count());
+  const double sigma_max = std::max(min_sigma_max, coupling.singular_values[0]);
+  coupling.rank = static_cast<int>((coupling.singular_values.array() > options.lost_below * sigma_max).count());
 
   std::vector<std::string> order = options.rather_held;
   for (const auto& name : default_hold_order(arm)) {

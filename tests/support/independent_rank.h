@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -183,10 +185,10 @@ inline IndependentRank independent_rank(const Arm& arm, const VirtualRecording& 
   result.jacobian = by_arm;
   result.values = Eigen::VectorXd::Zero(p);
   result.values.head(svd.singularValues().size()) = svd.singularValues();
-  result.rank = static_cast<int>((result.values.array() > 1e-9 * result.values[0]).count());
-  result.is_clear =
-      ((result.values.array() / result.values[0] > 1e-11) && (result.values.array() / result.values[0] < 1e-6))
-          .count() == 0;
+  // Readings in one posture at each point determine nothing: then all singular values are rounding.
+  const Eigen::ArrayXd relative = result.values.array() / std::max(1.0, result.values[0]);
+  result.rank = static_cast<int>((relative > 1e-9).count());
+  result.is_clear = ((relative > 1e-11) && (relative < 1e-6)).count() == 0;
   result.null_space = svd.matrixV().rightCols(p - result.rank);
   return result;
 }
