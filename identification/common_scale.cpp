@@ -82,9 +82,11 @@ SimplestDirections simplest_directions(const Eigen::MatrixXd& null_space, const 
   if (unidentifiable_scale.size() > 0) {
     const Eigen::VectorXd scale = scale_beside_single(null_space, unidentifiable_scale);
     const double longest = scale.cwiseAbs().maxCoeff();
+    // Where each length is unidentifiable by itself, nothing is left of the scale but rounding.
+    const bool is_left = longest > no_part * unidentifiable_scale.cwiseAbs().maxCoeff();
     Eigen::Index fewest = 0;
-    for (int i = 0; i < static_cast<int>(scale.size()); ++i) {
-      if (std::abs(scale[i]) < long_enough * longest || longest == 0.0 || contains(order.last, i)) {
+    for (int i = 0; is_left && i < static_cast<int>(scale.size()); ++i) {
+      if (std::abs(scale[i]) < long_enough * longest || contains(order.last, i)) {
         continue;
       }
       FixedParameters fixed = choose_fixed(null_space, tolerances, order, {i});
