@@ -223,8 +223,8 @@ TEST(Identify, AParameterThatIsLostCannotBeFreed) {
   EXPECT_THAT(result.error().message, HasSubstr("d1 cannot be told at all"));
 }
 
-// Two tips of different length separate a6 from theta6 and d6 from alpha6: nothing is unidentifiable then, and nothing is
-// fixed. With a6 and d6 fixed at their nominal zeros the readings would not be fitted.
+// Two tips of different length separate a6 from theta6 and d6 from alpha6: nothing is unidentifiable then, and nothing
+// is fixed. With a6 and d6 fixed at their nominal zeros the readings would not be fitted.
 TEST(Identify, TwoProbesOfDifferentLengthSeparateThePairs) {
   Arm nominal = test::gao_arm();
   nominal.probes.front().name = "long";
