@@ -182,6 +182,21 @@ std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points
   return without_strangers(about_mean->p, distances, *centre) + about_mean->mean;
 }
 
+std::optional<Eigen::Vector3d> point_on_the_other_side(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances,
+                                                       const Eigen::Vector3d& point) {
+  constexpr double distinct = 1e-3;  // of the distances
+  const Eigen::Vector3d mean = points.rowwise().mean();
+  const Eigen::Matrix3Xd p = points.colwise() - mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(p * p.transpose());
+  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const Eigen::Vector3d from = point - mean;
+  const double size = p.norm() / std::sqrt(static_cast<double>(p.cols()));
+  const auto fit = refine_centre(p, distances, size, from - 2.0 * normal.dot(from) * normal);
+  const bool is_another =
+      fit && fit->ball.centre.allFinite() && (fit->ball.centre - from).norm() > distinct * distances.mean();
+  return is_another ? std::optional<Eigen::Vector3d>(fit->ball.centre + mean) : std::nullopt;
+}
+
 std::optional<Ball> ball_touched_at(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& tip_radii) {
   const auto about_mean = centred(points, tip_radii);
   const auto fit =

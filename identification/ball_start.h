@@ -11,6 +11,11 @@ namespace artcal {
 /// the points fit a sphere twenty times as well, some belong to another feature, and the point is that of the others.
 std::optional<Eigen::Vector3d> point_at_distances(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances);
 
+/// The other point at these distances, found by least squares from the mirror image of `point` in the plane that lies
+/// nearest to the given points; nothing where that leads nowhere, or to `point` itself.
+std::optional<Eigen::Vector3d> point_on_the_other_side(const Eigen::Matrix3Xd& points, const Eigen::VectorXd& distances,
+                                                       const Eigen::Vector3d& point);
+
 struct Ball {
   Eigen::Vector3d centre;
   double radius = 0.0;

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include <Eigen/Cholesky>
+
+#include "identification/ball_sides.h"
 #include "identification/ball_start.h"
 #include "identification/residual.h"
 #include "identification/settle.h"
@@ -42,6 +45,10 @@ Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns
   return feature.known.front();
 }
 
+bool is_ball(const FeatureConstraint& feature) {
+  return feature.demand == Demand::OnBall || feature.demand == Demand::AtDistance;
+}
+
 /// Where an arm has one feature by its own readings alone, whatever its artefact says of the others.
 struct Measured {
   Eigen::Vector3d point_in_base;  ///< a point or centre; of a plane, the middle of the tips
@@ -56,12 +63,26 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
     const PlaneAxis axis(group.reference, group.values.data());
     const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
     measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
-  } else if (feature.demand == Demand::OnBall || feature.demand == Demand::AtDistance) {
+  } else if (is_ball(feature)) {
     // Readings that do not determine a centre leave it where the artefact has it.
     measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))
                                  .value_or(certified_point(feature, unknowns));
   }
   return measured;
+}
+
+// Variance, per variance of a reading, of a feature's point along a direction: of a centre by the normal equations of
+// |P − c| = ρ, which readings on a small cap hardly determine; of a point or a plane by its mean.
+double variance_of_point(const Tips& tips, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+  if (!is_ball(*tips.feature)) {
+    return 1.0 / tips.feature->size();
+  }
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
+  for (int k = 0; k < tips.feature->size(); ++k) {
+    const Eigen::Vector3d outward = (tips.centres.col(k) - point).normalized();
+    normal += outward * outward.transpose();
+  }
+  return direction.dot(normal.ldlt().solve(direction));
 }
 
 double length_between(const Measured& from, const Measured& to, Demand demand) {
@@ -82,6 +103,7 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
   std::map<int, Sum> artefacts;
   Sum overall;
   std::vector<Measured> measured;
+  std::vector<Eigen::Vector3d> certified;
   for (const Tips& tips : all) {
     const FeatureConstraint& feature = *tips.feature;
     const GroupState none;
@@ -98,10 +120,15 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
     }
     measured.push_back(measure(tips, *unknowns));
     evaluation.points.push_back(measured.back().point_in_base);
+    certified.push_back(is_ball(feature) ? certified_point(feature, *unknowns) : evaluation.points.back());
     evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
     placements[{feature.artefact, feature.placement}].add(sum);
     artefacts[feature.artefact].add(sum);
     overall.add(sum);
+  }
+  choose_sides(constraints, all, *unknowns, certified, evaluation.points);
+  for (std::size_t f = 0; f < measured.size(); ++f) {
+    measured[f].point_in_base = evaluation.points[f];
   }
   for (const auto& [key, sum] : placements) {
     evaluation.placements.push_back(
@@ -115,9 +142,15 @@ Expected<Evaluation> evaluate(const Recording& recording, const Constraints& con
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
     const double length = length_between(measured[distance.first], measured[distance.second], first.demand);
+    const Eigen::Vector3d along =
+        (measured[distance.second].point_in_base - measured[distance.first].point_in_base).normalized();
+    double variance = 0.0;
+    for (const int end : {distance.first, distance.second}) {
+      variance += variance_of_point(all[end], measured[end].point_in_base, along);
+    }
     evaluation.lengths.push_back({name_of(first, constraints, recording),
                                   name_of(second, constraints, recording).feature, distance.value,
-                                  length - distance.value, distance.u});
+                                  length - distance.value, distance.u, std::sqrt(variance)});
   }
   return evaluation;
 }

@@ -27,6 +27,7 @@ struct LengthDeviation {
   double certified = 0.0;  ///< at the temperature of the placement
   double error = 0.0;      ///< measured − certified
   double u = 0.0;          ///< standard uncertainty of the certified value, mm
+  double gain = 0.0;       ///< standard deviation of the measured length per standard deviation of one reading
 };
 
 /// How well an arm explains readings. Each feature is fitted by itself from the arm's points, so that a

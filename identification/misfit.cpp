@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
 
 #include "core/in_quotes.h"
 #include "core/units.h"
@@ -63,43 +62,13 @@ void judge_residuals(const ArmFit& fit, const Arm& nominal, const Noise& noise, 
   }
 }
 
-// Variance, per variance of a reading, of a feature's point along a direction: of a centre by the normal equations of
-// |P − c| = ρ, which readings on a small cap hardly determine; of a point or a plane by its mean.
-double variance_of_point(const FeatureConstraint& feature, const Eigen::Vector3d* tips, const Eigen::Vector3d& point,
-                         const Eigen::Vector3d& direction) {
-  if (feature.demand != Demand::OnBall && feature.demand != Demand::AtDistance) {
-    return 1.0 / feature.size();
-  }
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
-  for (int k = 0; k < feature.size(); ++k) {
-    const Eigen::Vector3d outward = (tips[k] - point).normalized();
-    normal += outward * outward.transpose();
-  }
-  return direction.dot(normal.ldlt().solve(direction));
-}
-
-void judge_lengths(const ArmFit& fit, const Evaluation& after, const Constraints& constraints, const Noise& noise,
-                   std::vector<std::string>& reasons) {
+void judge_lengths(const ArmFit& fit, const Evaluation& after, const Noise& noise, std::vector<std::string>& reasons) {
   // By the median: what a wrong distance does to chi-squared is not to hide it.
   const double sigma = fit.noise * (noise.is_given() ? std::max(1.0, noise_ratio(fit, Loss::Huber)) : 1.0);
-  std::vector<std::size_t> first_tip;
-  std::size_t tips = 0;
-  for (const FeatureConstraint& feature : constraints.features) {
-    first_tip.push_back(tips);
-    tips += static_cast<std::size_t>(feature.size());
-  }
   double worst = max_length_ratio;
   std::string said;
-  for (std::size_t d = 0; d < after.lengths.size(); ++d) {
-    const DistanceConstraint& distance = constraints.distances[d];
-    const Eigen::Vector3d along = (after.points[distance.second] - after.points[distance.first]).normalized();
-    double variance = 0.0;
-    for (const int end : {distance.first, distance.second}) {
-      variance +=
-          variance_of_point(constraints.features[end], after.tips.data() + first_tip[end], after.points[end], along);
-    }
-    const double u = std::hypot(distance.u, sigma * std::sqrt(variance));
-    const LengthDeviation& length = after.lengths[d];
+  for (const LengthDeviation& length : after.lengths) {
+    const double u = std::hypot(length.u, length.gain * sigma);
     if (const double ratio = std::abs(length.error) / u; !(ratio <= worst)) {
       worst = ratio;
       said = fmt::format(
@@ -129,16 +98,15 @@ bool is_plausible(const Arm& nominal, const Arm& identified, const std::vector<P
                       [&](const Parameter& parameter) { return left_bounds(parameter, nominal, identified); });
 }
 
-std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Constraints& constraints,
-                                 const Arm& nominal, const std::vector<Parameter>& free, const Noise& noise,
-                                 Loss loss) {
+std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Arm& nominal,
+                                 const std::vector<Parameter>& free, const Noise& noise, Loss loss) {
   std::vector<std::string> reasons;
   judge_residuals(fit, nominal, noise, loss, reasons);
   if (const auto outlier = loss == Loss::None ? feature_that_stands_out(after, another_place) : std::nullopt) {
     reasons.push_back(*outlier);
   }
   if (loss == Loss::None) {
-    judge_lengths(fit, after, constraints, noise, reasons);
+    judge_lengths(fit, after, noise, reasons);
   }
   for (const Parameter& parameter : free) {
     if (left_bounds(parameter, nominal, fit.arm)) {

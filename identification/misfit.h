@@ -19,8 +19,8 @@ namespace artcal {
 ///   uncertainty, that of its two ends included (not with a robust loss);
 /// - a parameter moved from its nominal value by more than any arm's does: a tenth of the reach and at least 100 mm, or
 ///   30 degrees, of an encoder's zero 90.
-std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Constraints& constraints,
-                                 const Arm& nominal, const std::vector<Parameter>& free, const Noise& noise, Loss loss);
+std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Arm& nominal,
+                                 const std::vector<Parameter>& free, const Noise& noise, Loss loss);
 
 /// The rms of the whitened residuals of a fit, of a robust one by their median: 1 where they are as stated.
 double noise_ratio(const ArmFit& fit, Loss loss);

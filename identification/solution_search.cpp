@@ -102,7 +102,7 @@ Expected<Candidate> candidate_from(Alignment alignment, const Recording& recordi
     return tl::unexpected(after.error());
   }
   auto reasons =
-      misfits(fit->fit, *after, constraints, recording.arm, fit->preparation.free, options.noise, options.loss);
+      misfits(fit->fit, *after, recording.arm, fit->preparation.free, options.noise, options.loss);
   return Candidate{alignment,
                    1,
                    std::move(fit->preparation),

@@ -1,6 +1,11 @@
 // Readings under another feature's name: no arm fits them, and what comes out is a refusal that names them.
+#include <cmath>
+#include <random>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "identification/strange.h"
 
 #include "tests/support/programmes.h"
 
@@ -62,6 +67,62 @@ TEST(Mislabelled, BallsOfABarAreNamedByTheirDistance) {
 }
 
 TEST(Mislabelled, AFewReadingsAreLetGoOfByALoss) { EXPECT_EQ(refusal(mislabelled(seats, 1, false), Loss::Cauchy), ""); }
+
+// A session of many placements, four balls in each, of `readings` readings that scatter by sigma (mm) about spheres of
+// which three unknowns are fitted; distances of centres that few readings determine up to thirty times worse. All of it
+// normal numbers: nothing is wrong in it.
+Evaluation sound_session(int placements, int readings, double sigma, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> decades(0.0, 1.5);
+  Evaluation evaluation;
+  for (int p = 0; p < placements; ++p) {
+    for (int ball = 0; ball < 4; ++ball) {
+      double squares = 0.0;
+      for (int k = 0; k < readings - 3; ++k) {
+        squares += std::pow(sigma * normal(random), 2);
+      }
+      const double rms = std::sqrt(squares / readings);
+      evaluation.features.push_back({{"plate", std::to_string(p), std::to_string(ball)}, readings, rms, rms});
+      const double gain = std::pow(10.0, decades(random));
+      evaluation.lengths.push_back({evaluation.features.back().name, "other", 500.0,
+                                    std::hypot(gain * sigma, 0.001) * normal(random), 0.001, gain});
+    }
+  }
+  return evaluation;
+}
+
+// The worst of thousands is far from their median without anything being wrong with it.
+TEST(StandingOut, OfASoundSessionOfAnySizeNothing) {
+  for (const int placements : {3, 10, 100, 1000, 5000}) {
+    for (const int readings : {4, 5, 25}) {
+      for (std::uint64_t seed = 0; seed < 3; ++seed) {
+        EXPECT_EQ(what_stands_out(sound_session(placements, readings, 0.1, seed), 0.3).value_or(""), "")
+            << placements << " placements, " << readings << " readings";
+      }
+    }
+  }
+}
+
+TEST(StandingOut, OfAnySizeWhatIsWrongIsNamed) {
+  for (const int placements : {3, 10, 1000}) {
+    Evaluation misread = sound_session(placements, 5, 0.01, 1);
+    misread.features[7].rms = 0.5;
+    EXPECT_THAT(what_stands_out(misread, 0.3).value_or(""), HasSubstr("feature \"3\" in placement \"1\" are 0.5 mm"))
+        << placements;
+    Evaluation swapped = sound_session(placements, 5, 0.01, 2);
+    swapped.lengths[9].error = -3.0;
+    EXPECT_THAT(what_stands_out(swapped, 0.3).value_or(""), HasSubstr("\"1\" and \"other\" in placement \"2\""))
+        << placements;
+  }
+}
+
+TEST(StandingOut, OfExactReadingsWhatIsWrongIsNamed) {
+  Evaluation exact = sound_session(5, 5, 0.0, 1);
+  EXPECT_FALSE(what_stands_out(exact, 0.3));
+  exact.features[7].rms = 1.0;
+  EXPECT_THAT(what_stands_out(exact, 0.3).value_or(""), HasSubstr("feature \"3\""));
+}
 
 }  // namespace
 }  // namespace artcal
