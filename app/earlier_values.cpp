@@ -4,14 +4,13 @@
 
 #include "app/json_file.h"
 #include "artefacts/verification/specification.h"
+#include "core/size_limits.h"
 #include "core/text_file.h"
 
 namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t most_bytes = std::size_t{256} << 20;
 
 // Throws what the library throws where a field is absent or of another type, and what value() throws of a quantity that
 // no verification has.
@@ -36,7 +35,7 @@ TestValue value_from(const Json& json) {
 
 Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, const std::string& standard,
                                                      std::vector<InputFile>& inputs) {
-  const auto file = read_text_file(path, most_bytes);
+  const auto file = read_text_file(path, largest::result);
   if (!file) {
     return tl::unexpected(file.error());
   }

@@ -1,7 +1,10 @@
 #include "app/identify_request.h"
 
+#include <fmt/format.h>
+
 #include "app/identification_run.h"
 #include "app/model_asked.h"
+#include "core/plausible.h"
 #include "core/unit_names.h"
 
 namespace artcal {
@@ -24,6 +27,12 @@ Expected<Noise> noise_of(const IdentifyChoices& choices, const Recording& record
       noise.probing.value_or(1.0) <= 0.0) {
     return wrong_usage(
         "a noise is a number above zero with its unit, such as --noise \"15 um\" or --encoder-noise \"2 arcsec\"");
+  }
+  const auto is_plausible = [](const std::optional<double>& value, auto is) { return !value || is(*value); };
+  if (!is_plausible(noise.reading, plausible::is_length_u) || !is_plausible(noise.encoder, plausible::is_angle_u) ||
+      !is_plausible(noise.probing, plausible::is_length_u)) {
+    return wrong_usage(fmt::format("a noise is a standard deviation of {} or, of an encoder, {}; is the unit right?",
+                                   plausible::length_range, plausible::angle_range));
   }
   if (noise.reading.has_value() == noise.encoder.has_value() ||
       noise.encoder.has_value() != noise.probing.has_value()) {

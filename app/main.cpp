@@ -2,6 +2,7 @@
 // 3 bad input, 4 no solution.
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include <glog/logging.h>
 
 #include "app/command.h"
+#include "app/phrases.h"
 #include "app/store/where.h"
 #include "app/version.h"
 #include "core/in_quotes.h"
@@ -84,6 +86,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Beyond the largest file allowed (ulimit -f), writing is an error like any other, told and cleaned up after.
+  ::signal(SIGXFSZ, SIG_IGN);
   // Ceres logs matrices where numbers break down; what a person needs to know of it is in the error's sentence.
   FLAGS_minloglevel = google::GLOG_FATAL;
   try {
@@ -94,7 +98,7 @@ int main(int argc, char** argv) {
     if (std::ferror(stdout) != 0) {  // fmt throws where a long text cannot be written
       return not_all_said();
     }
-    fmt::print(stderr, "artcal: internal error: {}\n", error.what());
+    fmt::print(stderr, "artcal: {}\n", artcal::text_of_exception(error));
   }
   return bad_input;
 }

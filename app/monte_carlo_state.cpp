@@ -8,6 +8,7 @@
 
 #include "app/json_file.h"
 #include "app/output.h"
+#include "core/size_limits.h"
 #include "core/text_file.h"
 
 namespace artcal {
@@ -15,7 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr const char* schema = "artcal-monte-carlo/1";
-constexpr std::size_t most_bytes = std::size_t{1} << 30;
 constexpr std::size_t most_digits = 39;  // of a 128-bit integer
 
 std::string decimal(Distribution::Sum number) {
@@ -147,7 +147,7 @@ std::string state_text(const MonteCarloCount& count, const Json& made_from) {
 }
 
 Expected<MonteCarloCount> read_state(const std::string& path, const Json& made_from) {
-  const auto file = read_text_file(path, most_bytes);
+  const auto file = read_text_file(path, largest::monte_carlo_state);
   if (!file) {
     return tl::unexpected(file.error());
   }

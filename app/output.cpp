@@ -9,12 +9,15 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "app/permitted.h"
 #include "app/store/where.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 
 namespace artcal {
 namespace {
@@ -103,6 +106,28 @@ Expected<void> check_outputs(const std::vector<std::string>& outputs, const std:
   return {};
 }
 
+Expected<void> check_replaced(const std::string& output, OutputKind kind) {
+  std::error_code ignored;
+  if (output.empty() || output == "-" || !std::filesystem::is_regular_file(output, ignored)) {
+    return {};
+  }
+  constexpr std::string_view page = "<!doctype html";
+  std::string beginning(page.size(), '\0');
+  std::ifstream stream(output, std::ios::binary);
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  std::transform(beginning.begin(), beginning.end(), beginning.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const bool is_ours = kind == OutputKind::Page ? beginning == page : beginning.starts_with('{');
+  if (!stream.is_open() || beginning.empty() || is_ours) {
+    return {};
+  }
+  return wrong_usage(
+      fmt::format("{} exists and is no {}; it may be an input and would be overwritten; give the output "
+                  "another name",
+                  in_quotes(output), kind == OutputKind::Page ? "page (HTML)" : "result (JSON)"));
+}
+
 std::string json_text(const nlohmann::ordered_json& json) {
   // What is not UTF-8 is replaced.
   return json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -123,7 +148,7 @@ Expected<void> write_json(const std::string& path, const nlohmann::ordered_json&
 }
 
 int report_error(const Error& error) {
-  fmt::print(stderr, "artcal: {}\n", without_passwords(error.text()));
+  fmt::print(stderr, "artcal: {}\n", at_most(largest::message, without_passwords(error.text())));
   return static_cast<int>(error.code);
 }
 

@@ -1,11 +1,33 @@
 #include "app/phrases.h"
 
+#include <cerrno>
+#include <cstring>
+
 #include <fmt/format.h>
 
 namespace artcal {
 
 std::string plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+Error with_warnings(Error error, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    if (error.code != ErrorCode::Usage) {
+      error.message += "; warning: " + warning;
+    }
+  }
+  return error;
+}
+
+std::string text_of_exception(const std::exception& error) {
+  const std::string what = error.what();
+  // std::thread throws a system_error, TBB an exception of its own; both say what the C library says.
+  if (what.find(std::strerror(EAGAIN)) != std::string::npos) {
+    return "the system gives this program no more threads; ask for fewer with --threads 1 or --jobs 1, or raise the "
+           "limit of processes (ulimit -u)";
+  }
+  return "internal error: " + what;
 }
 
 std::string warning_lines(const std::vector<std::string>& warnings) {

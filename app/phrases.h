@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <string>
 #include <vector>
+
+#include "core/error.h"
 
 namespace artcal {
 
@@ -11,5 +14,12 @@ std::string plural(std::size_t count, const std::string& noun);
 
 /// A line "Warning: …." for each; nothing for none.
 std::string warning_lines(const std::vector<std::string>& warnings);
+
+/// An error whose message also names what looks wrong in the input: the cause may be there.
+Error with_warnings(Error error, const std::vector<std::string>& warnings);
+
+/// An exception that nothing below has made an error of: no more threads, which the user can do something about, or a
+/// fault of this program.
+std::string text_of_exception(const std::exception& error);
 
 }  // namespace artcal

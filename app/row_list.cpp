@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 #include "core/text_file.h"
 
 namespace artcal {
@@ -55,7 +56,7 @@ Expected<std::vector<Eigen::Index>> columns_of(const PointCloud& cloud, const Te
 
 Expected<PointCloud> take_rows(const PointCloud& cloud, const std::filesystem::path& list,
                                std::vector<InputFile>& inputs) {
-  const auto file = read_text_file(list);
+  const auto file = read_text_file(list, largest::row_list);
   if (!file) {
     return tl::unexpected(file.error());
   }

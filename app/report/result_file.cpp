@@ -6,6 +6,7 @@
 
 #include "app/json_file.h"
 #include "core/in_quotes.h"
+#include "core/size_limits.h"
 #include "core/text_file.h"
 
 namespace artcal {
@@ -31,7 +32,7 @@ ReportedResult reported(Json json) {
 }
 
 Expected<ReportedResult> read_result(const std::string& path, std::vector<InputFile>& inputs) {
-  const auto file = read_text_file(path);
+  const auto file = read_text_file(path, largest::result);
   if (!file) {
     return tl::unexpected(file.error());
   }

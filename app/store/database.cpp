@@ -21,6 +21,7 @@ namespace {
 // Far longer than any statement of a batch, and than a batch pauses within a transaction.
 constexpr int statement_minutes = 10;
 constexpr int idle_minutes = 5;
+constexpr std::string_view kept_locked = "another process has kept it locked";
 
 /// What SOCI binds a row's values from; their places must not move.
 class Buffers {
@@ -94,9 +95,8 @@ bool holds(const std::string& text, std::string_view part) { return text.find(pa
 // What to do about a message of SQLite or PostgreSQL; the message itself where there is nothing to add.
 std::string explained(const std::string& text, int lock_wait_seconds) {
   if (holds(text, "database is locked") || holds(text, "lock timeout")) {
-    return fmt::format(
-        "another process has kept it locked for {} s: wait for it, or end it if it was stopped, and run this again",
-        lock_wait_seconds);
+    return fmt::format("{} for {} s: wait for it, or end it if it was stopped, and run this again", kept_locked,
+                       lock_wait_seconds);
   }
   if (holds(text, "statement timeout")) {
     return fmt::format("the server did not finish a statement in {} minutes; look at its load and run this again",
@@ -105,8 +105,7 @@ std::string explained(const std::string& text, int lock_wait_seconds) {
   if (holds(text, "idle-in-transaction") || holds(text, "server closed the connection")) {
     return fmt::format(
         "the server ended the connection: it was stopped, or this process stood still for {} minutes in the middle of "
-        "its "
-        "work; run this again",
+        "its work; run this again",
         idle_minutes);
   }
   return holds(text, "disk is full")        ? "the disk is full"
@@ -130,6 +129,8 @@ std::string reason_of(const std::exception& error, int lock_wait_seconds) {
   }
   return in_one_line(explained(text, lock_wait_seconds));
 }
+
+bool is_locked(const std::string& reason) { return reason.starts_with(kept_locked); }
 
 // Everything that SOCI throws leaves as DatabaseError.
 template <typename Work>
@@ -215,9 +216,10 @@ Expected<Database> Database::open(const std::string& where, Access access, int l
     }
   } catch (const std::exception& error) {
     const std::string reason = place->is_postgresql ? "" : why_no_file(place->file);
+    const std::string told = reason.empty() ? reason_of(error, lock_wait_seconds) : reason;
+    // The journal of one that is still writing is its own.
     return bad_input(
-        fmt::format("the store cannot be opened: {}{}", reason.empty() ? reason_of(error, lock_wait_seconds) : reason,
-                    to_be_undone(place->file)),
+        fmt::format("the store cannot be opened: {}{}", told, is_locked(told) ? "" : to_be_undone(place->file)),
         place->name);
   }
   return Database(std::move(connection));
