@@ -7,13 +7,18 @@
 #include "acquisition/arm_file.h"
 #include "acquisition/recording_file.h"
 #include "acquisition/tip_centres.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/coupling_json.h"
 #include "app/coupling_text.h"
 #include "app/model_asked.h"
 #include "app/output.h"
+#include "app/phrases.h"
+#include "app/referenced_files.h"
 #include "app/result_json.h"
+#include "artefacts/read_constraints.h"
 #include "artefacts/virtual_probing.h"
+#include "core/size_limits.h"
 #include "core/toml_document.h"
 #include "identification/coupling.h"
 #include "identification/selection.h"
@@ -24,6 +29,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string path;
   std::vector<std::string> hold, free;
   std::string model;
@@ -62,23 +68,23 @@ Expected<Subject> made_up(const Request& request) {
 }
 
 Expected<Subject> recorded(const Request& request) {
-  auto recording = read_recording(request.path);
+  auto recording = read_recording(request.path, request.access.of(request.path));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
   if (auto there = require_joints(*recording); !there) {
     return tl::unexpected(there.error());
   }
-  auto constraints = read_constraints(*recording);
+  auto constraints = read_constraints(*recording, request.access.of(request.path));
   if (!constraints) {
-    return tl::unexpected(constraints.error());
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }
   recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
   return Subject{std::move(*recording), std::move(*constraints)};
 }
 
 Expected<Subject> subject_of(const Request& request) {
-  const auto file = read_text_file(request.path);
+  const auto file = read_text_file(request.path, largest::toml);
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -119,7 +125,8 @@ Expected<int> analyse_and_tell(const Request& request) {
     return tl::unexpected(subject.error());
   }
   const Recording& recording = subject->recording;
-  if (auto checked = check_outputs({request.common.json}, recording.inputs); !checked) {
+  if (auto checked = check_outputs({request.common.json}, referenced_files(recording, request.access.of(request.path)));
+      !checked) {
     return tl::unexpected(checked.error());
   }
   std::vector<std::string> hold = recording.identify.hold;
@@ -144,7 +151,7 @@ Expected<int> analyse_and_tell(const Request& request) {
   options.noise = recording.noise;
   const auto coupling = analyse_coupling(recording, subject->constraints, *arm, options);
   if (!coupling) {
-    return tl::unexpected(coupling.error());
+    return tl::unexpected(with_warnings(coupling.error(), recording.warnings));
   }
   const auto made_up = request.kind_is_given ? std::optional(request.probing) : std::nullopt;
   return request.common.tell(to_json(recording, *coupling, {hold, free, model_text(*model), made_up}),
@@ -191,6 +198,7 @@ Run set_up_coupling(CLI::App& parser) {
   parser
       .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")
       ->check(CLI::PositiveNumber);
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "Examples:\n  artcal coupling examples/two-socket-bar/recording.toml\n"

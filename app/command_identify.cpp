@@ -5,6 +5,7 @@
 
 #include "acquisition/arm_file.h"
 #include "acquisition/recording_file.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/dcc_identification.h"
 #include "app/dcc_request.h"
@@ -12,10 +13,13 @@
 #include "app/identification_run.h"
 #include "app/identify_request.h"
 #include "app/output.h"
+#include "app/phrases.h"
 #include "app/readings_json.h"
+#include "app/referenced_files.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
 #include "app/version.h"
+#include "artefacts/read_constraints.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -23,6 +27,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string recording;
   std::string arm_out;
   DccRequest dcc;
@@ -60,13 +65,13 @@ std::string identified_arm_text(const Recording& recording, const Identification
 
 Expected<int> identify_and_tell(const Request& request) {
   const auto start = Clock::now();
-  auto recording = read_recording(request.recording);
+  auto recording = read_recording(request.recording, request.access.of(request.recording));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  const auto constraints = read_constraints(*recording);
+  const auto constraints = read_constraints(*recording, request.access.of(request.recording));
   if (!constraints) {
-    return tl::unexpected(constraints.error());
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }
   auto options = options_of(request, *recording);
   if (!options) {
@@ -76,8 +81,8 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked =
-          check_outputs({request.arm_out, request.common.json, request.dcc.out, request.report}, recording->inputs);
+  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc.out, request.report},
+                                   referenced_files(*recording, request.access.of(request.recording)));
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -133,6 +138,7 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_flag("--no-residuals", request->no_residuals, "leave the readings out of the JSON: it is much smaller");
   parser.add_option("--threads", request->threads, "threads for leaving out; 0 takes all, the result is the same")
       ->check(CLI::NonNegativeNumber);
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer("Example:\n  artcal identify examples/two-socket-bar/recording.toml -o panda.toml --json result.json");
   return [request] {

@@ -12,7 +12,9 @@
 #include "app/monte_carlo_result.h"
 #include "app/monte_carlo_state.h"
 #include "app/output.h"
-#include "artefacts/constraint.h"
+#include "app/phrases.h"
+#include "app/referenced_files.h"
+#include "artefacts/read_constraints.h"
 
 namespace artcal {
 namespace {
@@ -36,13 +38,13 @@ const std::string& state_of(const MonteCarloRequest& request) {
 Expected<std::unique_ptr<Material>> identify_once(const MonteCarloRequest& request, const CommonOptions& common,
                                                   const std::string& path, const std::string& probe,
                                                   std::uint64_t seed) {
-  auto recording = read_recording(path);
+  auto recording = read_recording(path, request.access.of(path));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  auto constraints = read_constraints(*recording);
+  auto constraints = read_constraints(*recording, request.access.of(path));
   if (!constraints) {
-    return tl::unexpected(constraints.error());
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }
   auto options = request.choices.options(*recording);
   if (!options) {
@@ -53,7 +55,11 @@ Expected<std::unique_ptr<Material>> identify_once(const MonteCarloRequest& reque
   if (!monte_carlo) {
     return tl::unexpected(monte_carlo.error());
   }
-  if (auto checked = check_outputs({common.json, state_of(request)}, recording->inputs); !checked) {
+  std::vector<InputFile> inputs = referenced_files(*recording, request.access.of(path));
+  for (const std::string& shard : request.merge) {
+    inputs.push_back({shard, ""});
+  }
+  if (auto checked = check_outputs({common.json, state_of(request)}, inputs); !checked) {
     return tl::unexpected(checked.error());
   }
   auto identification = run_identification(*recording, *constraints, *options);

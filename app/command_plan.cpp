@@ -6,13 +6,19 @@
 #include "acquisition/arm_file.h"
 #include "acquisition/recording_file.h"
 #include "acquisition/tip_centres.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/phrases.h"
 #include "app/plan_result.h"
+#include "app/referenced_files.h"
 #include "artefacts/artefact_file.h"
+#include "artefacts/read_constraints.h"
 #include "artefacts/simulation/plan_file.h"
 #include "artefacts/simulation/possible_session.h"
 #include "core/in_quotes.h"
+#include "core/plausible.h"
+#include "core/size_limits.h"
 #include "core/toml_document.h"
 #include "core/unit_names.h"
 
@@ -21,6 +27,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string input;
   std::string artefact;
   std::string measured;
@@ -44,11 +51,15 @@ Expected<Possible> possible_of_arm(const Request& request) {
   if (!arm) {
     return tl::unexpected(arm.error());
   }
-  auto artefact = read_artefact_file(request.artefact);
+  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
   if (!artefact) {
     return tl::unexpected(artefact.error());
   }
-  return Possible{possible_session(arm->arm, artefact->artefact, request.possible), {arm->input, artefact->input}};
+  std::vector<InputFile> inputs{arm->input, artefact->input};
+  if (artefact->certificate) {
+    inputs.push_back(*artefact->certificate);
+  }
+  return Possible{possible_session(arm->arm, artefact->artefact, request.possible), std::move(inputs)};
 }
 
 // The placements and probings of a plan.toml, its true arm and noise forgotten.
@@ -56,7 +67,7 @@ Expected<Possible> possible_of_plan(const Request& request) {
   if (!request.artefact.empty()) {
     return wrong_usage("--artefact is for an arm alone; this plan names its artefacts itself");
   }
-  auto file = read_plan_file(request.input);
+  auto file = read_plan_file(request.input, request.access.of(request.input));
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -75,7 +86,7 @@ Expected<Possible> possible_of_plan(const Request& request) {
 }
 
 Expected<Possible> possible_of(const Request& request) {
-  const auto file = read_text_file(request.input);
+  const auto file = read_text_file(request.input, largest::toml);
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -94,6 +105,11 @@ Expected<double> noise_of(const std::string& text, const char* option,
   const auto value = quantity(text);
   if (!value || !(*value > 0.0)) {
     return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit", option, in_quotes(text)));
+  }
+  const bool is_angle = quantity == angle_quantity;
+  if (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
+    return wrong_usage(fmt::format("{} is {}, expected a standard deviation of {}; is the unit right?", option,
+                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
   }
   return *value;
 }
@@ -123,7 +139,7 @@ Expected<std::optional<Measured>> measured_of(const Request& request, const Arm&
   if (request.measured.empty()) {
     return std::nullopt;
   }
-  auto recording = read_recording(request.measured);
+  auto recording = read_recording(request.measured, request.access.of(request.measured));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
@@ -138,9 +154,9 @@ Expected<std::optional<Measured>> measured_of(const Request& request, const Arm&
                     in_quotes(recording->arm.name), in_quotes(arm.name)),
         request.measured);
   }
-  auto constraints = read_constraints(*recording);
+  auto constraints = read_constraints(*recording, request.access.of(request.measured));
   if (!constraints) {
-    return tl::unexpected(constraints.error());
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }
   return Measured{std::move(*recording), std::move(*constraints)};
 }
@@ -165,7 +181,11 @@ Expected<int> plan_and_tell(const Request& request) {
     const auto& more = (*measured)->recording.inputs;
     inputs.insert(inputs.end(), more.begin(), more.end());
   }
-  if (auto checked = check_outputs({request.common.json, request.table, request.picture}, inputs); !checked) {
+  std::vector<InputFile> to_be_kept =
+      *measured ? referenced_files((*measured)->recording, request.access.of(request.measured))
+                : std::vector<InputFile>{};
+  to_be_kept.insert(to_be_kept.end(), inputs.begin(), inputs.end());
+  if (auto checked = check_outputs({request.common.json, request.table, request.picture}, to_be_kept); !checked) {
     return tl::unexpected(checked.error());
   }
   const auto simulation = simulate(possible->plan);
@@ -230,6 +250,7 @@ Run set_up_plan(CLI::App& parser) {
   parser.add_option("--picture", request->picture, "where the artefact is to stand, as SVG")->type_name("SVG");
   parser.add_option("--starts", request->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
   parser.add_option("--seed", request->options.seed, "of all that is drawn");
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal plan examples/ball-bar/arm.toml --artefact examples/ball-bar/bar.toml --placements 4\\\n"

@@ -5,28 +5,25 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
+#include "acquisition/csv_text.h"
 #include "acquisition/recording_file.h"
 #include "acquisition/tip_centres.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/output.h"
+#include "app/phrases.h"
+#include "app/referenced_files.h"
 #include "app/result_json.h"
-#include "artefacts/constraint.h"
+#include "artefacts/read_constraints.h"
 
 namespace artcal {
 namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string recording, arm, output = "-";
 };
-
-std::string csv_field(const std::string& name) {
-  std::string quoted;
-  for (const char c : name) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted.find_first_of(",\"#") == std::string::npos ? quoted : '"' + quoted + '"';
-}
 
 // Readings of coordinates, in mm: a table that another recording can name.
 std::string points_text(const Recording& recording, const TipCentres& tips) {
@@ -48,6 +45,7 @@ std::string points_text(const Recording& recording, const TipCentres& tips) {
 nlohmann::ordered_json points_json(const Recording& recording, const TipCentres& tips, const std::string& arm) {
   nlohmann::ordered_json json = result_header(recording, "points", std::nullopt);
   json["arm"] = arm;
+  json["warnings"] = recording.warnings;
   json["points"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
     const Reading& r = recording.readings[i];
@@ -62,13 +60,13 @@ nlohmann::ordered_json points_json(const Recording& recording, const TipCentres&
 }
 
 Expected<int> write_points(const Request& request) {
-  auto recording = read_recording(request.recording);
+  auto recording = read_recording(request.recording, request.access.of(request.recording));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
   if (!recording->scans.empty()) {
-    if (const auto labelled = read_constraints(*recording); !labelled) {
-      return tl::unexpected(labelled.error());
+    if (const auto labelled = read_constraints(*recording, request.access.of(request.recording)); !labelled) {
+      return tl::unexpected(with_warnings(labelled.error(), recording->warnings));
     }
   }
   std::optional<Arm> arm;
@@ -80,12 +78,14 @@ Expected<int> write_points(const Request& request) {
     recording->inputs.push_back(file->input);
     arm = std::move(file->arm);
   }
-  if (auto checked = check_outputs({request.output, request.common.json}, recording->inputs); !checked) {
+  if (auto checked = check_outputs({request.output, request.common.json},
+                                   referenced_files(*recording, request.access.of(request.recording)));
+      !checked) {
     return tl::unexpected(checked.error());
   }
   const auto tips = tip_centres(*recording, arm ? *arm : recording->arm);
   if (!tips) {
-    return tl::unexpected(tips.error());
+    return tl::unexpected(with_warnings(tips.error(), recording->warnings));
   }
   const std::string& name = arm ? arm->name : recording->arm.name;
   if (auto written = write_json(request.common.json, points_json(*recording, *tips, name)); !written) {
@@ -94,6 +94,7 @@ Expected<int> write_points(const Request& request) {
   const std::string text = points_text(*recording, *tips);
   if (request.output == "-") {
     if (request.common.talks()) {
+      fmt::print(stderr, "{}", warning_lines(recording->warnings));
       fmt::print("{}", text);
     }
     return 0;
@@ -102,8 +103,8 @@ Expected<int> write_points(const Request& request) {
     return tl::unexpected(written.error());
   }
   if (request.common.talks()) {
-    fmt::print("{} points are in {}, in mm in the base frame of the arm \"{}\".\n", recording->readings.size(),
-               request.output, name);
+    fmt::print("{} points are in {}, in mm in the base frame of the arm \"{}\".\n{}", recording->readings.size(),
+               request.output, name, warning_lines(recording->warnings));
   }
   return 0;
 }
@@ -117,6 +118,7 @@ Run set_up_points(CLI::App& parser) {
       ->type_name("ARM");
   parser.add_option("-o,--output", request->output, "CSV of the tip's centres; - is standard output")
       ->type_name("FILE");
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer("Example:\n  artcal points examples/ball-bar/recording.toml -o points.csv");
   return [request] {

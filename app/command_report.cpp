@@ -15,6 +15,19 @@ struct Request {
   bool quiet = false;
 };
 
+// What the result itself was computed from, as far as it lies where it lay then.
+std::vector<InputFile> files_named_in(const ReportedResult& result) {
+  std::vector<InputFile> files;
+  if (const auto inputs = result.json.find("inputs"); inputs != result.json.end() && inputs->is_array()) {
+    for (const auto& input : *inputs) {
+      if (input.is_object() && input.contains("path") && input["path"].is_string()) {
+        files.push_back({input["path"].get<std::string>(), ""});
+      }
+    }
+  }
+  return files;
+}
+
 Expected<int> report_and_tell(const Request& request) {
   std::vector<InputFile> inputs;
   std::vector<ReportedResult> results;
@@ -24,6 +37,10 @@ Expected<int> report_and_tell(const Request& request) {
       return tl::unexpected(result.error());
     }
     results.push_back(std::move(*result));
+  }
+  for (const ReportedResult& result : results) {
+    const auto rests_on = files_named_in(result);
+    inputs.insert(inputs.end(), rests_on.begin(), rests_on.end());
   }
   if (auto checked = check_outputs({request.page}, inputs); !checked) {
     return tl::unexpected(checked.error());

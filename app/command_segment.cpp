@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/point_cloud.h"
+#include "app/access_option.h"
 #include "app/cloud_columns.h"
 #include "app/command.h"
 #include "app/memory_option.h"
@@ -19,6 +20,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string scan, artefact, unit;
   std::string tolerance;
   std::string radius = "fixed";
@@ -98,7 +100,7 @@ Expected<int> segment_and_tell(const Request& request) {
   if (request.temperature && !(*request.temperature > absolute_zero && *request.temperature < 1e4)) {
     return wrong_usage("--temperature: expected the artefact's temperature in degC, such as 20.5");
   }
-  auto artefact = read_artefact_file(request.artefact);
+  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
   if (!artefact) {
     return tl::unexpected(artefact.error());
   }
@@ -125,6 +127,9 @@ Expected<int> segment_and_tell(const Request& request) {
   result.columns = read->columns;
   PointCloud* const cloud = &read->cloud;
   result.inputs = {cloud->input, artefact->input};
+  if (artefact->certificate) {
+    result.inputs.push_back(*artefact->certificate);
+  }
   if (auto checked = check_outputs({request.common.json}, result.inputs); !checked) {
     return tl::unexpected(checked.error());
   }
@@ -164,6 +169,7 @@ Run set_up_segment(CLI::App& parser) {
   parser.add_option("--place", request->places, "which sphere is which, where distances do not tell: NAME=x,y,z")
       ->type_name("PLACE");
   add_columns_option(parser, request->columns);
+  request->access.add_to(parser);
   request->common.add_to(parser);
   add_max_memory(parser, request->limits);
   parser.footer(

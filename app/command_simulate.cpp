@@ -1,3 +1,4 @@
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include "acquisition/pcd_text.h"
 #include "acquisition/recording_text.h"
 #include "acquisition/tip_centres.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/output.h"
 #include "app/output_folder.h"
@@ -16,12 +18,14 @@
 #include "artefacts/simulation/simulate.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
+#include "core/toml_text.h"
 
 namespace artcal {
 namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::string plan;
   std::string folder;
   bool force = false;
@@ -38,41 +42,80 @@ std::vector<std::string> made_names(const SimulationPlan& plan) {
   return names;
 }
 
-// The names of the files to be written. Artefacts keep theirs: where a file states no name for the artefact,
-// the file's own is it.
-Expected<RecordingFiles> names_of(const PlanFile& file) {
-  RecordingFiles names{"arm.toml", {}, "readings.csv"};
-  std::vector<std::string> taken = made_names(file.plan);
-  taken.emplace_back("arm.toml");
-  for (const auto& path : file.artefacts) {
-    const std::string name = path.filename().string();
-    if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
-      return bad_input(
-          fmt::format("the artefact's file is called {}, as another file of the recording will be; give it "
-                      "another name",
-                      in_quotes(name)),
-          path.string());
-    }
-    taken.push_back(name);
-    names.artefacts.push_back(name);
+/// What is copied beside the recording, and under which names.
+struct Copies {
+  RecordingFiles names;
+  FolderFiles files;
+};
+
+// Artefacts keep their names: where a file states no name for the artefact, the file's own is it.
+Expected<std::string> free_name(const std::filesystem::path& path, const char* what, std::vector<std::string>& taken) {
+  std::string name = path.filename().string();
+  if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
+    return bad_input(fmt::format("the {} is called {}, as another file of the recording will be; give it another name",
+                                 what, in_quotes(name)),
+                     path.string());
   }
-  return names;
+  taken.push_back(name);
+  return name;
 }
 
-Expected<FolderFiles> copies_of(const PlanFile& file, const RecordingFiles& names) {
-  FolderFiles files;
-  std::vector<std::pair<std::string, std::filesystem::path>> copies{{names.arm, file.arm}};
-  for (std::size_t i = 0; i < names.artefacts.size(); ++i) {
-    copies.emplace_back(names.artefacts[i], file.artefacts[i]);
+// A certificate lies beside the copy of its artefact, wherever it lay.
+Expected<std::string> with_certificate_beside(std::string artefact, const std::filesystem::path& path,
+                                              const std::string& named, const std::string& name) {
+  if (named == name) {
+    return artefact;
   }
-  for (const auto& [name, path] : copies) {
-    auto text = read_text_file(path);
+  const std::size_t key = artefact.find("dcc");
+  for (const char quote : {'"', '\''}) {
+    const std::string value = quote + named + quote;
+    if (const std::size_t at = artefact.find(value, key); key != std::string::npos && at != std::string::npos) {
+      return artefact.replace(at, value.size(), toml_text(name));
+    }
+  }
+  return bad_input(
+      "the certificate named in `dcc` cannot be copied; put it into the artefact's folder and name it there",
+      path.string());
+}
+
+Expected<Copies> copies_of(const PlanFile& file) {
+  Copies copies{{"arm.toml", {}, "readings.csv"}, {}};
+  std::vector<std::string> taken = made_names(file.plan);
+  taken.push_back(copies.names.arm);
+  std::map<std::string, std::string> certificates;  // path and name
+  std::vector<std::pair<std::string, std::filesystem::path>> sources{{copies.names.arm, file.arm}};
+  for (const auto& path : file.artefacts) {
+    auto name = free_name(path, "artefact's file", taken);
+    if (!name) {
+      return tl::unexpected(name.error());
+    }
+    copies.names.artefacts.push_back(*name);
+    sources.emplace_back(*name, path);
+  }
+  for (const auto& certificate : file.certificates) {
+    if (const std::string path = certificate.path.string(); !path.empty() && !certificates.contains(path)) {
+      auto name = free_name(certificate.path, "artefact's certificate", taken);
+      if (!name) {
+        return tl::unexpected(name.error());
+      }
+      certificates[path] = *name;
+      sources.emplace_back(*name, certificate.path);
+    }
+  }
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    auto text = read_text_file(sources[i].second).map([](TextFile&& read) { return std::move(read.text); });
+    const std::size_t artefact = i - 1;  // the arm comes first
+    if (text && i > 0 && artefact < file.certificates.size() && !file.certificates[artefact].path.empty()) {
+      const PlanFile::CertificateFile& certificate = file.certificates[artefact];
+      text = with_certificate_beside(std::move(*text), sources[i].second, certificate.name,
+                                     certificates.at(certificate.path.string()));
+    }
     if (!text) {
       return tl::unexpected(text.error());
     }
-    files.emplace_back(name, std::move(text->text));
+    copies.files.emplace_back(sources[i].first, std::move(*text));
   }
-  return files;
+  return copies;
 }
 
 Expected<FolderFiles> scan_files(const Simulation& simulation) {
@@ -132,23 +175,20 @@ std::string summary(const PlanFile& file, const Simulation& simulation, const Re
 }
 
 Expected<int> simulate_and_write(const Request& request) {
-  auto file = read_plan_file(request.plan);
+  auto file = read_plan_file(request.plan, request.access.of(request.plan));
   if (!file) {
     return tl::unexpected(file.error());
   }
   file->plan.seed = request.seed.value_or(file->plan.seed);
-  const auto names = names_of(*file);
-  if (!names) {
-    return tl::unexpected(names.error());
+  auto copies = copies_of(*file);
+  if (!copies) {
+    return tl::unexpected(copies.error());
   }
-  auto files = copies_of(*file, *names);
-  if (!files) {
-    return tl::unexpected(files.error());
-  }
+  FolderFiles& files = copies->files;
   if (auto checked = check_outputs({request.common.json}, file->inputs); !checked) {
     return tl::unexpected(checked.error());
   }
-  FolderFiles all = *files;
+  FolderFiles all = files;
   for (const std::string& name : made_names(file->plan)) {
     all.emplace_back(name, "");
   }
@@ -169,10 +209,10 @@ Expected<int> simulate_and_write(const Request& request) {
   if (!scans) {
     return tl::unexpected(scans.error());
   }
-  for (const FolderFiles& made : {made_files(*file, *simulation, *names, truth), *scans}) {
-    files->insert(files->end(), made.begin(), made.end());
+  for (const FolderFiles& made : {made_files(*file, *simulation, copies->names, truth), *scans}) {
+    files.insert(files.end(), made.begin(), made.end());
   }
-  if (auto written = write_folder(request.folder, *files, request.force); !written) {
+  if (auto written = write_folder(request.folder, files, request.force); !written) {
     return tl::unexpected(written.error());
   }
   return request.common.tell(truth, summary(*file, *simulation, request));
@@ -190,6 +230,7 @@ Run set_up_simulate(CLI::App& parser) {
   parser.add_option("--seed", request->seed, "instead of the plan's")->check(CLI::Range(0L, 9007199254740992L));
   parser.add_option("--threads", request->threads, "0: as many as the machine has; the readings are the same with any")
       ->check(CLI::Range(0, 256));
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer("Examples:\n  artcal simulate examples/simulate/plan.toml -o simulated");
   return [request] {

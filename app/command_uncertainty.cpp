@@ -8,6 +8,7 @@
 #include "app/output.h"
 #include "app/uncertainty_result.h"
 #include "core/in_quotes.h"
+#include "core/plausible.h"
 #include "core/unit_names.h"
 
 namespace artcal {
@@ -30,6 +31,11 @@ Expected<double> noise_of(const std::string& text, const char* option,
   if (!value) {
     return wrong_usage(
         fmt::format("{} is {}, expected a number with its unit, such as \"{}\"", option, in_quotes(text), example));
+  }
+  const bool is_angle = quantity == angle_quantity;
+  if (*value > 0.0 && (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value))) {
+    return wrong_usage(fmt::format("{} is {}, expected 0 or a standard deviation of {}; is the unit right?", option,
+                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
   }
   return *value;
 }
@@ -121,6 +127,7 @@ Run set_up_uncertainty(CLI::App& parser) {
   for (const char* of_a_survey : {"--lengths", "--rings"}) {
     parser.get_option("--monte-carlo")->excludes(parser.get_option(of_a_survey));
   }
+  request->monte_carlo.access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal identify examples/ball-bar/recording.toml -o arm.toml\n"

@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/recording_file.h"
+#include "app/access_option.h"
 #include "app/command.h"
 #include "app/dcc_request.h"
 #include "app/dcc_verification.h"
 #include "app/output.h"
+#include "app/referenced_files.h"
 #include "app/report/report.h"
 #include "app/verification_json.h"
 #include "app/verification_material.h"
@@ -23,7 +26,9 @@ constexpr int conformity_not_shown = 1;
 
 struct Request {
   CommonOptions common;
-  VerificationSources sources;
+  std::string recording;
+  std::string arm, specification;
+  AccessOption access;
   std::string standard, against, report;
   DccRequest dcc;
   std::string artefact_out;
@@ -51,7 +56,11 @@ Expected<std::string> calibrated_plate_text(const Request& request, const Verifi
 }
 
 Expected<int> verify_and_tell(const Request& request) {
-  auto material = read_verification_material(request.sources);
+  auto material =
+      read_recording(request.recording, request.access.of(request.recording)).and_then([&](Recording&& recording) {
+        return read_verification_material(std::move(recording),
+                                          {request.arm, request.specification, request.access.of(request.recording)});
+      });
   if (!material) {
     return tl::unexpected(material.error());
   }
@@ -64,7 +73,7 @@ Expected<int> verify_and_tell(const Request& request) {
     return tl::unexpected(certificate.error());
   }
   if (auto checked = check_outputs({request.common.json, request.dcc.out, request.artefact_out, request.report},
-                                   material->recording.inputs);
+                                   referenced_files(material->recording, request.access.of(request.recording)));
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -100,12 +109,12 @@ Expected<int> verify_and_tell(const Request& request) {
 
 Run set_up_verify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->sources.recording, "recording.toml")->required()->type_name("RECORDING");
+  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("--standard", request->standard, "what to judge by; else the recording's")
       ->check(CLI::IsMember({"iso10360-12", "b89.4.22", "sphere-plate"}));
-  parser.add_option("--arm", request->sources.arm, "the arm to judge, such as an identified one; else the recording's")
+  parser.add_option("--arm", request->arm, "the arm to judge, such as an identified one; else the recording's")
       ->type_name("ARM");
-  parser.add_option("--specification", request->sources.specification, "limits and plan; else the recording's")
+  parser.add_option("--specification", request->specification, "limits and plan; else the recording's")
       ->type_name("FILE");
   parser
       .add_option("--against", request->against,
@@ -118,6 +127,7 @@ Run set_up_verify(CLI::App& parser) {
       ->type_name("FILE");
   request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "The exit code is 0 where conformity is shown (with --against: where no drift is) and 1 where it is not.\n"

@@ -1,5 +1,6 @@
 #include "app/identification_run.h"
 
+#include "app/phrases.h"
 #include "identification/automatic_model.h"
 
 namespace artcal {
@@ -28,8 +29,9 @@ Expected<Identification> run_identification(const Recording& recording, const Co
     }
     warnings.insert(warnings.begin(), constraints.warnings.begin(), constraints.warnings.end());
     warnings.insert(warnings.begin(), recording.warnings.begin(), recording.warnings.end());
+    return result;
   }
-  return result;
+  return tl::unexpected(with_warnings(result.error(), recording.warnings));
 }
 
 }  // namespace artcal

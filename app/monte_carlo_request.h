@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/access_option.h"
 #include "app/identify_request.h"
 #include "identification/monte_carlo.h"
 
@@ -18,6 +19,7 @@ struct TrialRange {
 /// What `artcal uncertainty --monte-carlo` takes beside what `artcal uncertainty` takes.
 struct MonteCarloRequest {
   bool asked = false;
+  AccessOption access;
   IdentifyChoices choices;  ///< its noise stands in the options of `artcal uncertainty`
   std::string trials = "auto";
   int digits = 2;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/csv_text.h"
 #include "app/result_head.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
@@ -155,19 +156,12 @@ std::string to_csv(const PlanResult& result) {
     text += fmt::format(",q{}", i + 1);
   }
   text += '\n';
-  const auto quoted = [](const std::string& name) {
-    std::string out = "\"";
-    for (const char c : name) {
-      out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    }
-    return out + "\"";
-  };
   for (const ChosenPlacement& chosen : result.planning.chosen) {
     const RealPlacement& place = result.possible.placements[static_cast<std::size_t>(chosen.candidate)];
     const auto& artefact = result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified;
     for (const int reading : chosen.readings) {
-      text += fmt::format("{},{},{}", quoted(place.name), quoted(artefact.name),
-                          quoted(recording.features.name(recording.readings[reading].feature)));
+      text += fmt::format("{},{},{}", csv_field(place.name), csv_field(artefact.name),
+                          csv_field(recording.features.name(recording.readings[reading].feature)));
       for (const double q : recording.joints.col(reading)) {
         text += fmt::format(",{:.4f}", q / units::degree);
       }

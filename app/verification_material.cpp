@@ -1,7 +1,8 @@
 #include "app/verification_material.h"
 
 #include "acquisition/arm_file.h"
-#include "acquisition/recording_file.h"
+#include "app/phrases.h"
+#include "artefacts/read_constraints.h"
 #include "artefacts/scan_readings.h"
 #include "artefacts/verification/specification_file.h"
 
@@ -21,16 +22,16 @@ Expected<void> read_other_arm(const std::string& path, VerificationMaterial& mat
   return {};
 }
 
-Expected<void> read_artefacts_and_tips(VerificationMaterial& material) {
+Expected<void> read_artefacts_and_tips(const FileAccess& access, VerificationMaterial& material) {
   const Arm* other = material.other_arm ? &*material.other_arm : nullptr;
-  auto constraints = read_constraints(material.recording, {ScanUse::WholeBalls, other});
+  auto constraints = read_constraints(material.recording, access, {ScanUse::WholeBalls, other});
   if (!constraints) {
-    return tl::unexpected(constraints.error());
+    return tl::unexpected(with_warnings(constraints.error(), material.recording.warnings));
   }
   material.constraints = std::move(*constraints);
   auto tips = other != nullptr ? tip_centres(material.recording, *other) : tip_centres(material.recording);
   if (!tips) {
-    return tl::unexpected(tips.error());
+    return tl::unexpected(with_warnings(tips.error(), material.recording.warnings));
   }
   material.tips = std::move(*tips);
   return {};
@@ -52,16 +53,12 @@ Expected<void> read_specification(const std::string& named, VerificationMaterial
 
 }  // namespace
 
-Expected<VerificationMaterial> read_verification_material(const VerificationSources& sources) {
-  auto recording = read_recording(sources.recording);
-  if (!recording) {
-    return tl::unexpected(recording.error());
-  }
-  VerificationMaterial material{std::move(*recording), {}, {}, {}, {}};
+Expected<VerificationMaterial> read_verification_material(Recording recording, const VerificationSources& sources) {
+  VerificationMaterial material{std::move(recording), {}, {}, {}, {}};
   if (auto read = read_other_arm(sources.arm, material); !read) {
     return tl::unexpected(read.error());
   }
-  if (auto read = read_artefacts_and_tips(material); !read) {
+  if (auto read = read_artefacts_and_tips(sources.access, material); !read) {
     return tl::unexpected(read.error());
   }
   if (auto read = read_specification(sources.specification, material); !read) {

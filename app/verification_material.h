@@ -9,9 +9,10 @@
 
 namespace artcal {
 
-/// The files that a verification is asked of. The arm and the specification may be empty: those of the recording.
+/// What a verification is asked of beside the recording; empty: what the recording names.
 struct VerificationSources {
-  std::string recording, arm, specification;
+  std::string arm, specification;
+  FileAccess access;  ///< to what the recording's artefacts name
 };
 
 /// What a session refers to.
@@ -27,7 +28,8 @@ struct VerificationMaterial {
   }
 };
 
-/// Reads them all, scans by the arm that is judged; notes every file as an input of the recording.
-Expected<VerificationMaterial> read_verification_material(const VerificationSources& sources);
+/// Reads what a recording and the sources refer to, scans by the arm that is judged; notes every file as an input of
+/// the recording.
+Expected<VerificationMaterial> read_verification_material(Recording recording, const VerificationSources& sources);
 
 }  // namespace artcal

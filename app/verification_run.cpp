@@ -1,6 +1,7 @@
 #include "app/verification_run.h"
 
 #include "app/earlier_values.h"
+#include "app/phrases.h"
 
 namespace artcal {
 namespace {
@@ -32,7 +33,7 @@ Expected<VerificationResult> run_verification(VerificationMaterial& material, co
   }
   auto result = verify(material.session(), standard_named(standard));
   if (!result) {
-    return result;
+    return tl::unexpected(with_warnings(result.error(), material.recording.warnings));
   }
   if (!against.empty()) {
     result->interim = compare(result->verification.values, earlier);
