@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/access_option.h"
 #include "app/batch/batch.h"
 #include "app/batch/find_recordings.h"
 #include "app/batch/index_page.h"
@@ -23,6 +24,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
+  AccessOption access;
   std::vector<std::string> paths;
   std::string store, shard, report, report_pages = "shared";
   BatchRequest batch;
@@ -53,7 +55,7 @@ Expected<void> write_index(const Request& request, Store& store, const std::vect
   if (request.report.empty()) {
     return {};
   }
-  const auto rows = index_rows(store, files, pages, summary.page_errors);
+  const auto rows = index_rows(store, files, pages, summary);
   if (!rows) {
     return tl::unexpected(rows.error());
   }
@@ -65,31 +67,40 @@ Expected<int> run_and_tell(const Request& request) {
   if (!shard) {
     return tl::unexpected(shard.error());
   }
-  auto files = find_recordings(request.paths, std::cin);
-  if (!files) {
-    return tl::unexpected(files.error());
+  const auto found = find_recordings(request.paths, std::cin);
+  if (!found) {
+    return tl::unexpected(found.error());
   }
   if (auto checked =
-          check_outputs({request.common.json, file_of_store(request.store), request.report}, as_inputs(*files));
+          check_outputs({request.common.json, file_of_store(request.store), request.report}, as_inputs(found->files));
       !checked) {
     return tl::unexpected(checked.error());
   }
-  files = part_of(*files, shard->index, shard->count);
+  // What the recordings refer to is known only once they are read.
+  for (const auto& [output, kind] :
+       {std::pair(request.common.json, OutputKind::Json), std::pair(request.report, OutputKind::Page)}) {
+    if (auto checked = check_replaced(output, kind); !checked) {
+      return tl::unexpected(checked.error());
+    }
+  }
+  const std::vector<std::string> files = part_of(found->files, shard->index, shard->count);
   auto store = Store::open(request.store, Database::Access::Write);
   if (!store) {
     return tl::unexpected(store.error());
   }
   std::optional<Progress> progress;
   if (!request.common.quiet) {
-    progress.emplace(stderr, files->size(), ::isatty(STDERR_FILENO) == 1);
+    progress.emplace(stderr, files.size(), ::isatty(STDERR_FILENO) == 1);
   }
   auto pages = pages_of(request);
   BatchRequest asked = request.batch;
+  asked.options.anywhere = request.access.anywhere;
+  asked.options.folders = found->folders;
   if (pages) {
     pages->begin();
     asked.pages = &*pages;
   }
-  const auto summary = run_batch(*files, asked, *store, [&](const RecordingOutcome& outcome) {
+  auto summary = run_batch(files, asked, *store, [&](const RecordingOutcome& outcome) {
     if (progress) {
       progress->step(outcome.exit_code > 1);
     }
@@ -98,13 +109,16 @@ Expected<int> run_and_tell(const Request& request) {
   if (!summary) {
     return tl::unexpected(summary.error());
   }
+  summary->note_unreadable(found->unreadable);
   if (request.common.talks()) {
     fmt::print("{}", to_text(*summary, store->name()));
+  } else if (summary->exit_code > 1) {
+    fmt::print(stderr, "artcal: {}\n", failure_line(*summary));
   }
   if (auto written = write_json(request.common.json, to_json(*summary, store->name())); !written) {
     return tl::unexpected(written.error());
   }
-  if (auto written = write_index(request, *store, *files, *summary, asked.pages); !written) {
+  if (auto written = write_index(request, *store, files, *summary, asked.pages); !written) {
     return tl::unexpected(written.error());
   }
   return summary->exit_code;
@@ -142,6 +156,7 @@ Run set_up_batch(CLI::App& parser) {
       ->check(CLI::IsMember({"shared", "self-contained", "none"}))
       ->needs(parser.get_option("--report"))
       ->capture_default_str();
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "Each recording is identified, verified or both, as its file asks. The exit code is 0 where all went well, 1 "

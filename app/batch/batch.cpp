@@ -79,7 +79,8 @@ class SharedStore {
   }
   void flush() {
     if (!error_ && !waiting_.empty()) {
-      if (auto written = store_.write(waiting_, known_); !written) {
+      const auto written = store_.write(waiting_, known_).and_then([&] { return store_.forget_moved(waiting_); });
+      if (!written) {
         error_ = written.error();
       }
     }
@@ -122,6 +123,9 @@ void count(BatchSummary& summary, const RecordingOutcome& outcome) {
   summary.failed += outcome.exit_code > 1;
   // What the recording itself asks wrongly is bad input to a batch.
   summary.exit_code = worse(summary.exit_code, outcome.exit_code == 2 ? 3 : outcome.exit_code);
+  if (outcome.exit_code > 1 && outcome.entry[StoreTable::Files].empty() && !outcome.was_known) {
+    summary.not_stored[outcome.path] = outcome.error;
+  }
   if (outcome.exit_code > 1 && summary.failures.size() < BatchSummary::most_listed) {
     summary.failures.push_back({outcome.path, outcome.exit_code, outcome.error, false, false, false, {}, {}, {}});
   }
@@ -133,6 +137,15 @@ void count(BatchSummary& summary, const RecordingOutcome& outcome) {
 }
 
 }  // namespace
+
+void BatchSummary::note_unreadable(const std::vector<Error>& folders) {
+  for (const Error& folder : folders) {
+    ++failed;
+    exit_code = worse(exit_code, 3);
+    not_stored[folder.where] = folder.message;
+    failures.push_back({folder.where, 3, folder.message, false, false, false, {}, {}, {}});
+  }
+}
 
 Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const BatchRequest& request, Store& store,
                                  const std::function<void(const RecordingOutcome&)>& tell) {
@@ -169,13 +182,13 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
     return outcome;
   };
   const auto keep = [&](RecordingOutcome outcome) {
+    count(summary, outcome);
     if (!outcome.entry[StoreTable::Files].empty()) {
       if (auto& recordings = outcome.entry[StoreTable::Recordings]; !recordings.empty()) {
         outcome.entry[StoreTable::Stored] = {{recordings.front().front(), now_in_utc()}};
       }
       shared.write(std::move(outcome.entry));
     }
-    count(summary, outcome);
     tell(outcome);
   };
   tbb::parallel_pipeline(4 * jobs,

@@ -31,6 +31,10 @@ struct BatchSummary {
   std::vector<RecordingOutcome> failures;  ///< in the order of the files, without their rows; at most most_listed
   static constexpr std::size_t most_listed = 1000;
   std::map<std::string, std::string> page_errors;  ///< by path: why there is no report
+  std::map<std::string, std::string> not_stored;   ///< by path: failures that the store has no row of
+
+  /// Counts folders that could not be searched as failed.
+  void note_unreadable(const std::vector<Error>& folders);
 };
 
 /// Runs every file and writes what becomes of it to the store, some at a time: a run that is killed has lost nothing

@@ -34,19 +34,26 @@ bool is_recording(const fs::path& path) {
          (path.extension() == ".toml" && says_recording(path));
 }
 
-Expected<void> search(const fs::path& folder, std::vector<std::string>& found) {
-  std::error_code error;
-  fs::recursive_directory_iterator at(folder, error);
-  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
-    std::error_code ignored;
-    if (at->is_regular_file(ignored) && is_recording(at->path())) {
-      found.push_back(normal(at->path()));
+// Every folder below is tried, whatever becomes of the others. Links to folders are not followed: they may lead back.
+void search(const fs::path& top, FoundRecordings& found) {
+  std::vector<fs::path> folders{top};
+  while (!folders.empty()) {
+    const fs::path folder = std::move(folders.back());
+    folders.pop_back();
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+      std::error_code ignored;
+      if (fs::is_directory(at->symlink_status(ignored))) {
+        folders.push_back(at->path());
+      } else if (at->is_regular_file(ignored) && is_recording(at->path())) {
+        found.files.push_back(normal(at->path()));
+      }
+    }
+    if (error) {
+      found.unreadable.push_back(
+          {ErrorCode::BadInput, "the folder cannot be read: " + error.message(), normal(folder)});
     }
   }
-  if (error) {
-    return bad_input("the folder cannot be searched: " + error.message(), folder.string());
-  }
-  return {};
 }
 
 std::vector<std::string> matches_of(const std::string& pattern) {
@@ -59,13 +66,15 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   return paths;
 }
 
-Expected<void> take(const std::string& named, std::vector<std::string>& found) {
+Expected<void> take(const std::string& named, FoundRecordings& found) {
   std::error_code ignored;
   if (is_postgresql_url(named)) {
     return wrong_usage("the address of a server was given as a path; a store is named with --store");
   }
   if (fs::is_directory(named, ignored)) {
-    return search(named, found);
+    found.folders.push_back(normal(named));
+    search(named, found);
+    return {};
   }
   if (!fs::exists(named, ignored) && named.find_first_of("*?[") != std::string::npos) {
     const auto matches = matches_of(named);
@@ -79,13 +88,13 @@ Expected<void> take(const std::string& named, std::vector<std::string>& found) {
     }
     return {};
   }
-  found.push_back(normal(named));
+  found.files.push_back(normal(named));
   return {};
 }
 
 }  // namespace
 
-Expected<std::vector<std::string>> find_recordings(const std::vector<std::string>& named, std::istream& list) {
+Expected<FoundRecordings> find_recordings(const std::vector<std::string>& named, std::istream& list) {
   std::vector<std::string> all;
   for (const std::string& name : named) {
     if (name != "-") {
@@ -98,18 +107,23 @@ Expected<std::vector<std::string>> find_recordings(const std::vector<std::string
       }
     }
   }
-  std::vector<std::string> found;
+  FoundRecordings found;
   for (const std::string& name : all) {
     if (auto taken = take(name, found); !taken) {
       return tl::unexpected(taken.error());
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  if (found.empty()) {
-    return bad_input(
-        "no recording was found; a folder's recordings are the files in it called recording.toml, and other "
-        ".toml files with schema = \"artcal-recording/1\"");
+  std::sort(found.files.begin(), found.files.end());
+  found.files.erase(std::unique(found.files.begin(), found.files.end()), found.files.end());
+  std::sort(found.unreadable.begin(), found.unreadable.end(),
+            [](const Error& a, const Error& b) { return a.where < b.where; });
+  if (found.files.empty()) {
+    return found.unreadable.empty()
+               ? bad_input(
+                     "no recording was found; a folder's recordings are the files in it called recording.toml, and "
+                     "other .toml files with schema = \"artcal-recording/1\"")
+               : bad_input("no recording was found, and " + found.unreadable.front().message,
+                           found.unreadable.front().where);
   }
   return found;
 }

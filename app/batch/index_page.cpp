@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/result_names.h"
+#include "app/store/stored_text.h"
 
 namespace artcal {
 namespace {
@@ -48,12 +49,20 @@ IndexRow row_of(const StoreRow& row) {
   return shown;
 }
 
-void add_page(IndexRow& row, const std::string& recording, const ReportPages* pages,
+IndexRow failed_row(const std::string& path, const std::string& error) {
+  IndexRow row;
+  row.recording = valid_utf8(path);
+  row.outcome = IndexOutcome::Failed;
+  row.message = valid_utf8(error);
+  return row;
+}
+
+void add_page(IndexRow& row, const std::string& path, const std::string& recording, const ReportPages* pages,
               const std::map<std::string, std::string>& page_errors) {
-  if (pages != nullptr && pages->has(row.recording, recording)) {
-    row.report = pages->link(row.recording, recording);
+  if (pages != nullptr && pages->has(path, recording)) {
+    row.report = pages->link(path, recording);
   }
-  if (const auto error = page_errors.find(row.recording); error != page_errors.end()) {
+  if (const auto error = page_errors.find(path); error != page_errors.end()) {
     row.message += (row.message.empty() ? "no report: " : "; no report: ") + error->second;
   }
 }
@@ -61,8 +70,7 @@ void add_page(IndexRow& row, const std::string& recording, const ReportPages* pa
 }  // namespace
 
 Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::string>& files,
-                                           const ReportPages* pages,
-                                           const std::map<std::string, std::string>& page_errors) {
+                                           const ReportPages* pages, const BatchSummary& summary) {
   Expected<std::vector<StoreRow>> found, warnings, shares;
   const auto whole = store.in_snapshot([&] {
     found = store.rows(query);
@@ -84,14 +92,24 @@ Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::
       largest = std::max(largest, std::abs(*value) / *limit);
     }
   }
+  // The store has paths as UTF-8, whatever they are on the disk.
+  std::map<std::string, std::string> path_of;
+  for (const std::string& file : files) {
+    path_of.emplace(valid_utf8(file), file);
+  }
   std::vector<IndexRow> rows;
+  for (const auto& [path, error] : summary.not_stored) {
+    path_of.erase(valid_utf8(path));
+    rows.push_back(failed_row(path, error));
+  }
   for (const StoreRow& row : *found) {
-    if (!std::binary_search(files.begin(), files.end(), text_of(row[0]))) {
+    const auto path = path_of.find(text_of(row[0]));
+    if (path == path_of.end()) {
       continue;
     }
     rows.push_back(row_of(row));
     const std::string recording = text_of(row[9]);
-    add_page(rows.back(), recording, pages, page_errors);
+    add_page(rows.back(), path->second, recording, pages, summary.page_errors);
     rows.back().warnings = warnings_of.contains(recording) ? warnings_of[recording] : 0;
     if (largest_of.contains(recording)) {
       rows.back().largest_of_limit = largest_of[recording];

@@ -1,18 +1,22 @@
 #include "app/batch/recording_key.h"
 
+#include <string_view>
+
 #include "app/version.h"
 #include "core/file_bytes.h"
 #include "core/hash.h"
+#include "core/size_limits.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{4} << 30;
-
 std::string content_now(const std::filesystem::path& path) {
-  const auto file = read_file_bytes(path, most_bytes);
+  const auto file = read_file_bytes(path, largest::any);
   return file ? file->sha256 : std::string();
 }
+
+// Whether a path may begin behind this character of a message.
+bool begins_path_after(char c) { return std::string_view(" \t\n\"'`([{<,;:=|").find(c) != std::string_view::npos; }
 
 }  // namespace
 
@@ -27,11 +31,26 @@ std::vector<InputFile> seen_from(const std::filesystem::path& folder, const std:
   return seen;
 }
 
-std::string recording_key(const std::vector<InputFile>& inputs, const BatchOptions& options) {
-  constexpr char end = '\0';  // no path holds one
-  std::string text = std::string("artcal ") + program_version + end + options.text() + end;
+std::string without_folder(std::string text, const std::filesystem::path& folder) {
+  const std::string prefix = (folder / "").string();
+  if (!folder.has_relative_path()) {
+    return text;  // "/" begins every path
+  }
+  for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
+    if (at == 0 || begins_path_after(text[at - 1])) {
+      text.erase(at, prefix.size());
+    } else {
+      ++at;
+    }
+  }
+  return text;
+}
+
+std::string recording_key(const std::vector<InputFile>& inputs, const std::string& name, const BatchOptions& options) {
+  constexpr char end = '\0';  // no name holds one
+  std::string text = std::string("artcal ") + program_version + end + options.text() + end + name + end;
   for (const InputFile& input : inputs) {
-    text += input.path + end + input.sha256 + end;
+    text += input.sha256 + end;
   }
   return sha256(text).substr(0, 32);
 }

@@ -10,10 +10,14 @@
 #include "app/batch/result_rows.h"
 #include "app/identification_run.h"
 #include "app/model_asked.h"
+#include "app/phrases.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
 #include "app/verification_json.h"
 #include "app/verification_run.h"
+#include "artefacts/read_constraints.h"
+#include "core/in_quotes.h"
+#include "core/size_limits.h"
 
 namespace artcal {
 namespace {
@@ -33,15 +37,6 @@ struct Job {
 };
 
 // A result does not depend on where the recording lies, and so neither do its words.
-std::string without_folder(std::string text, const std::filesystem::path& folder) {
-  const std::string prefix = (folder / "").string();
-  for (std::size_t at = prefix.empty() ? std::string::npos : text.find(prefix); at != std::string::npos;
-       at = text.find(prefix, at)) {
-    text.erase(at, prefix.size());
-  }
-  return text;
-}
-
 void leave_out_folder(nlohmann::ordered_json& json, const std::filesystem::path& folder) {
   if (json.is_string()) {
     json = without_folder(json.get<std::string>(), folder);
@@ -53,35 +48,53 @@ void leave_out_folder(nlohmann::ordered_json& json, const std::filesystem::path&
   }
 }
 
+constexpr std::string_view changed_meanwhile =
+    "the file changed while the recording was being processed; run this again when nobody writes to it any more";
+
+// Artefacts and scans are read for the identification and again for the verification: a file of both with two contents.
+const InputFile* first_difference(const std::vector<InputFile>& one, const std::vector<InputFile>& other) {
+  for (const InputFile& input : one) {
+    const auto same =
+        std::find_if(other.begin(), other.end(), [&](const auto& file) { return file.path == input.path; });
+    if (same != other.end() && same->sha256 != input.sha256) {
+      return &input;
+    }
+  }
+  return nullptr;
+}
+
 Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& options) {
-  auto recording = read_recording(path);
+  auto recording = read_recording(path, options.access_of(path));
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  Job job{std::move(*recording), {}, {}, {}, {}};
+  Job job{*recording, {}, {}, {}, {}};
   if (job.recording.identify.asked) {
-    auto constraints = read_constraints(job.recording);
+    auto constraints = read_constraints(job.recording, options.access_of(path));
     if (!constraints) {
-      return tl::unexpected(constraints.error());
+      return tl::unexpected(with_warnings(constraints.error(), job.recording.warnings));
     }
     job.constraints = std::move(*constraints);
   }
   if (!job.recording.verify.standard.empty()) {
     // A verification makes other readings of scans than an identification.
-    auto material = read_verification_material({path.string(), "", ""});
+    auto material = read_verification_material(std::move(*recording), {"", "", options.access_of(path)});
     if (!material) {
       return tl::unexpected(material.error());
+    }
+    if (const auto* changed = first_difference(job.recording.inputs, material->recording.inputs)) {
+      return bad_input(std::string(changed_meanwhile), changed->path);
     }
     job.verification = std::move(*material);
   }
   job.inputs = seen_from(path.parent_path(), job.whole().inputs);
-  job.key = recording_key(job.inputs, options);
+  job.key = recording_key(job.inputs, job.whole().name, options);
   return job;
 }
 
 void note_error(RecordingOutcome& outcome, const Error& error) {
   outcome.exit_code = std::max(outcome.exit_code, static_cast<int>(error.code));
-  outcome.error += (outcome.error.empty() ? "" : "; ") + error.text();
+  outcome.error += (outcome.error.empty() ? "" : "; ") + at_most(largest::message, error.text());
 }
 
 void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& options, Keep keep) {
@@ -149,6 +162,10 @@ RecordingOutcome refused(const std::string& path, const Error& error) {
   outcome.path = path;
   note_error(outcome, error);
   finish(outcome, "", std::filesystem::path(path).parent_path());
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    outcome.entry = {};  // a path that was mistyped is nothing that a store should keep
+  }
   return outcome;
 }
 
@@ -183,10 +200,7 @@ RecordingOutcome run(const std::string& path, const BatchOptions& options, const
     do_verify(outcome, *job, keep);
   }
   if (const std::string changed = first_changed(folder, job->inputs); !changed.empty()) {
-    return refused(path, {ErrorCode::BadInput,
-                          "the file changed while the recording was being processed; run this "
-                          "again when nobody writes to it any more",
-                          changed});
+    return refused(path, {ErrorCode::BadInput, std::string(changed_meanwhile), changed});
   }
   finish(outcome, job->key, folder);
   return outcome;
@@ -201,7 +215,7 @@ RecordingOutcome run_recording(const std::string& path, const BatchOptions& opti
   } catch (const std::bad_alloc&) {
     return refused(path, {ErrorCode::BadInput, "there is not enough memory for this recording", ""});
   } catch (const std::exception& error) {
-    return refused(path, {ErrorCode::BadInput, fmt::format("internal error: {}", error.what()), ""});
+    return refused(path, {ErrorCode::BadInput, text_of_exception(error), ""});
   }
 }
 
@@ -211,7 +225,7 @@ std::optional<RecordingOutcome> known_outcome(const std::string& path, const Sto
     return std::nullopt;
   }
   const auto now = hashed_now(std::filesystem::path(path).parent_path(), file.inputs);
-  if (now.empty() || recording_key(now, options) != file.recording) {
+  if (now.empty() || recording_key(now, file.name, options) != file.recording) {
     return std::nullopt;
   }
   return known(path, file.recording, file.result);

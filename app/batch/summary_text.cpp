@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/phrases.h"
 #include "app/result_head.h"
 #include "app/store/stored_text.h"
 #include "app/table.h"
@@ -50,6 +51,25 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
   return text + fmt::format("\nThe results are in {}.\n", store);
 }
 
+std::string failure_line(const BatchSummary& summary) {
+  std::string text;
+  if (summary.failed > 0) {
+    text = fmt::format("{} of {} recordings failed", summary.failed, summary.files);
+  }
+  if (!summary.failures.empty()) {
+    const RecordingOutcome& first = summary.failures.front();
+    text += fmt::format(", the first is {}: {}", in_one_line(valid_utf8(first.path)),
+                        at_most(400, in_one_line(valid_utf8(first.error))));
+  }
+  if (!summary.page_errors.empty()) {
+    const auto& [path, error] = *summary.page_errors.begin();
+    text += fmt::format("{}{} were not written, the first is of {}: {}", text.empty() ? "" : "; ",
+                        plural(summary.page_errors.size(), "report"), in_one_line(valid_utf8(path)),
+                        at_most(400, in_one_line(valid_utf8(error))));
+  }
+  return text;
+}
+
 nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& store) {
   nlohmann::ordered_json json = result_head("batch");
   json["store"] = store;
@@ -63,7 +83,8 @@ nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& s
   json["reports_failed"] = summary.page_errors.size();
   json["failures"] = nlohmann::ordered_json::array();
   for (const RecordingOutcome& failure : summary.failures) {
-    json["failures"].push_back({{"path", failure.path}, {"exit_code", failure.exit_code}, {"error", failure.error}});
+    json["failures"].push_back(
+        {{"path", valid_utf8(failure.path)}, {"exit_code", failure.exit_code}, {"error", valid_utf8(failure.error)}});
   }
   return json;
 }

@@ -1,6 +1,7 @@
 #include "app/store/store.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -93,6 +94,12 @@ const std::string& text_at(const StoreRow& row, std::size_t i) {
 
 int whole_at(const StoreRow& row, std::size_t i) { return static_cast<int>(std::get<long long>(row.at(i))); }
 
+// A path that is not UTF-8 stands in the store in other characters (app/store/stored_text.h): nothing is known of it.
+bool is_gone(const std::string& path) {
+  std::error_code error;
+  return path.find("\\x") == std::string::npos && !std::filesystem::exists(path, error) && !error;
+}
+
 constexpr std::array parts_of_a_result{
     StoreTable::Stored,     StoreTable::Remarks,         StoreTable::VerificationValues, StoreTable::Verifications,
     StoreTable::Parameters, StoreTable::Identifications, StoreTable::UsedCertificates,   StoreTable::Inputs};
@@ -116,15 +123,15 @@ Expected<Store> Store::open(const std::string& where, Database::Access access, i
 Expected<std::optional<StoredFile>> Store::file(const std::string& path) {
   return attempt(database_, "read", [&]() -> std::optional<StoredFile> {
     const auto rows = database_.rows(
-        "SELECT f.recording, f.exit_code, f.error, i.path, i.sha256 FROM files f LEFT JOIN inputs i ON i.recording = "
-        "f.recording "
+        "SELECT f.recording, f.exit_code, f.error, i.path, i.sha256, r.name FROM files f LEFT JOIN inputs i ON "
+        "i.recording = f.recording LEFT JOIN recordings r ON r.recording = f.recording "
         "WHERE f.path = :v0 ORDER BY i.position",
         {path});
     if (rows.empty()) {
       return std::nullopt;
     }
     const StoreRow& first = rows.front();
-    StoredFile file{text_at(first, 0), {whole_at(first, 1), text_at(first, 2)}, {}};
+    StoredFile file{text_at(first, 0), text_at(first, 5), {whole_at(first, 1), text_at(first, 2)}, {}};
     for (const StoreRow& row : rows) {
       file.inputs.push_back({text_at(row, 3), text_at(row, 4)});
     }
@@ -167,6 +174,35 @@ Expected<void> Store::write(const std::vector<StoreEntry>& entries, Known known)
         const bool is_replaced =
             table == StoreTable::Files || (table == StoreTable::Recordings && known == Known::Replace);
         insert(table, rows, is_replaced ? Known::Replace : Known::Keep);
+      }
+    });
+  });
+}
+
+Expected<void> Store::forget_moved(const std::vector<StoreEntry>& entries) {
+  std::vector<std::string> gone;
+  const auto found = attempt(database_, "read", [&] {
+    for (const StoreEntry& entry : entries) {
+      for (const StoreRow& row : entry[StoreTable::Files]) {
+        if (text_at(row, 1).empty()) {
+          continue;
+        }
+        for (const StoreRow& other :
+             database_.rows("SELECT path FROM files WHERE recording = :v0 AND path <> :v1", {row.at(1), row.at(0)})) {
+          if (is_gone(text_at(other, 0))) {
+            gone.push_back(text_at(other, 0));
+          }
+        }
+      }
+    }
+  });
+  if (!found || gone.empty()) {
+    return found;
+  }
+  return attempt(database_, "written", [&] {
+    database_.in_transaction([&] {
+      for (const std::string& path : gone) {
+        database_.run("DELETE FROM files WHERE path = :v0", {path});
       }
     });
   });

@@ -23,7 +23,8 @@ struct StoredResult {
 
 /// A file as the store knows it.
 struct StoredFile {
-  std::string recording;  ///< the result's name; empty where the file could not be read
+  std::string recording;  ///< the result's key; empty where the file could not be read
+  std::string name;       ///< that the recording states
   StoredResult result;
   std::vector<InputFile> inputs;  ///< of the result, paths from the recording's folder
 };
@@ -45,6 +46,10 @@ class Store {
 
   /// In one transaction.
   Expected<void> write(const std::vector<StoreEntry>& entries, Known known);
+
+  /// Removes the paths of results in `entries` at which no file is any more, beside the one in the entry itself: the
+  /// recording was moved. For the store of this computer's files.
+  Expected<void> forget_moved(const std::vector<StoreEntry>& entries);
 
   /// Adds everything that another store holds. What is in both stays as it is, files take what the other says.
   /// The same again changes nothing.

@@ -41,6 +41,26 @@ TEST_F(RunRecording, AResultDoesNotDependOnWhereItLies) {
   EXPECT_NE(key_of(here), key_of(run_recording(path("here/recording.toml"), {true}, {}))) << "other options";
 }
 
+TEST_F(RunRecording, ItsNameIsOfItsContentWhateverItsFileIsCalled) {
+  const std::string before = key_of(run_recording(path("here/recording.toml"), {}, {}));
+  fs::rename(path("here/recording.toml"), path("here/monday-recording.toml"));
+  EXPECT_EQ(key_of(run_recording(path("here/monday-recording.toml"), {}, {})), before);
+}
+
+TEST_F(RunRecording, WhatIsNotThereIsNothingToStore) {
+  const auto outcome = run_recording(path("here/mistyped.toml"), {}, {});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(outcome.entry[StoreTable::Files].empty());
+}
+
+TEST(WithoutFolder, OnlyWherePathsBegin) {
+  EXPECT_EQ(without_folder("/a/r.csv:3: no; see /a/arm.toml", "/a"), "r.csv:3: no; see arm.toml");
+  EXPECT_EQ(without_folder("\"/a/r.csv\" (/a/x)", "/a"), "\"r.csv\" (x)");
+  EXPECT_EQ(without_folder("/data/a/r.csv: no", "/a"), "/data/a/r.csv: no");
+  EXPECT_EQ(without_folder("mm/a/b", "/a"), "mm/a/b");
+  EXPECT_EQ(without_folder("/etc/passwd", "/"), "/etc/passwd");
+}
+
 TEST_F(RunRecording, EveryInputIsPartOfItsName) {
   const std::string before = key_of(run_recording(path("here/recording.toml"), {}, {}));
   for (const char* name : {"recording.toml", "table1.toml", "readings.csv", "coordinates.toml"}) {

@@ -66,7 +66,7 @@ TEST(FindRecordings, AListNamesEachOnceInOrder) {
   std::istringstream list("/b/recording.toml\n\n/a/recording.toml\n/b/./recording.toml\n");
   const auto found = find_recordings({"-"}, list);
   ASSERT_TRUE(found);
-  EXPECT_EQ(*found, (std::vector<std::string>{"/a/recording.toml", "/b/recording.toml"}));
+  EXPECT_EQ(found->files, (std::vector<std::string>{"/a/recording.toml", "/b/recording.toml"}));
 }
 
 }  // namespace
