@@ -65,7 +65,7 @@ TEST_F(Outputs, SpareCertificatesThatAnArtefactNames) {
 TEST_F(Outputs, OfABatchSpareAllThatItsRecordingsReferTo) {
   file_away("iso10360-12", "one", "");
   file_away("gao2013", "two", "");
-  expect_refused({"batch", "archive", "--store", "s.sqlite", "-q", "--report-pages", "none"}, {"--json", "--report"},
+  expect_refused({"batch", "archive", "--store", "s.sqlite", "-q"}, {"--json", "--report"},
                  {"archive/one/readings.csv", "archive/one/arm.toml", "archive/one/specification.toml",
                   "archive/two/coordinates.toml", "archive/two/table1.toml", "archive/two/recording.toml"});
   EXPECT_FALSE(std::filesystem::exists(file("s.sqlite"))) << "nothing has been done";
