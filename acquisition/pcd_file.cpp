@@ -139,7 +139,7 @@ Expected<void> check_memory(const Pcd& pcd, const CloudLimits& limits) {
   return bad_input(
       fmt::format("the file of {:.1f} MiB holds {} compressed points, which take {:.0f} MiB of memory, more "
                   "than the {:.0f} MiB that are allowed; if the file is sound, save it uncompressed (DATA "
-                  "binary), or allow fit and segment more with --max-memory",
+                  "binary), or allow more with --max-memory",
                   static_cast<double>(pcd.file.bytes.size()) / mebibyte, pcd.header.points,
                   static_cast<double>(needed) / mebibyte, static_cast<double>(allowed) / mebibyte),
       pcd.path);

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "acquisition/cloud_limits.h"
+#include "artefacts/scan_readings.h"
 #include "core/file_access.h"
 
 namespace artcal {
@@ -17,6 +19,15 @@ struct AccessOption {
   [[nodiscard]] FileAccess of(const std::string& path) const {
     return anywhere ? FileAccess::anywhere() : FileAccess::beside(path);
   }
+};
+
+/// The same and --max-memory: for recordings, whose scans may be compressed.
+struct RecordingOptions : AccessOption {
+  CloudLimits limits;
+
+  void add_to(CLI::App& parser);
+  /// Of scans, for an identification.
+  [[nodiscard]] ScanSelection scans() const { return {ScanUse::SureOfBall, nullptr, limits}; }
 };
 
 }  // namespace artcal

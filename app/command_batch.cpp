@@ -24,7 +24,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  AccessOption access;
+  RecordingOptions access;
   std::vector<std::string> paths;
   std::string store, shard, report, report_pages = "shared";
   BatchRequest batch;
@@ -95,6 +95,7 @@ Expected<int> run_and_tell(const Request& request) {
   auto pages = pages_of(request);
   BatchRequest asked = request.batch;
   asked.options.anywhere = request.access.anywhere;
+  asked.options.limits = request.access.limits;
   asked.options.folders = found->folders;
   if (pages) {
     pages->begin();

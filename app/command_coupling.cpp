@@ -29,7 +29,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  AccessOption access;
+  RecordingOptions access;
   std::string path;
   std::vector<std::string> hold, free;
   std::string model;
@@ -75,7 +75,7 @@ Expected<Subject> recorded(const Request& request) {
   if (auto there = require_joints(*recording); !there) {
     return tl::unexpected(there.error());
   }
-  auto constraints = read_constraints(*recording, request.access.of(request.path));
+  auto constraints = read_constraints(*recording, request.access.of(request.path), request.access.scans());
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }

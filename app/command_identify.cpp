@@ -27,7 +27,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  AccessOption access;
+  RecordingOptions access;
   std::string recording;
   std::string arm_out;
   DccRequest dcc;
@@ -69,7 +69,7 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  const auto constraints = read_constraints(*recording, request.access.of(request.recording));
+  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }

@@ -42,7 +42,7 @@ Expected<std::unique_ptr<Material>> identify_once(const MonteCarloRequest& reque
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  auto constraints = read_constraints(*recording, request.access.of(path));
+  auto constraints = read_constraints(*recording, request.access.of(path), request.access.scans());
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }

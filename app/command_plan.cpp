@@ -27,7 +27,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  AccessOption access;
+  RecordingOptions access;
   std::string input;
   std::string artefact;
   std::string measured;
@@ -154,7 +154,7 @@ Expected<std::optional<Measured>> measured_of(const Request& request, const Arm&
                     in_quotes(recording->arm.name), in_quotes(arm.name)),
         request.measured);
   }
-  auto constraints = read_constraints(*recording, request.access.of(request.measured));
+  auto constraints = read_constraints(*recording, request.access.of(request.measured), request.access.scans());
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }

@@ -21,7 +21,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  AccessOption access;
+  RecordingOptions access;
   std::string recording, arm, output = "-";
 };
 
@@ -65,7 +65,9 @@ Expected<int> write_points(const Request& request) {
     return tl::unexpected(recording.error());
   }
   if (!recording->scans.empty()) {
-    if (const auto labelled = read_constraints(*recording, request.access.of(request.recording)); !labelled) {
+    if (const auto labelled =
+            read_constraints(*recording, request.access.of(request.recording), request.access.scans());
+        !labelled) {
       return tl::unexpected(with_warnings(labelled.error(), recording->warnings));
     }
   }
@@ -83,7 +85,7 @@ Expected<int> write_points(const Request& request) {
       !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto tips = tip_centres(*recording, arm ? *arm : recording->arm);
+  const auto tips = arm ? tip_centres(*recording, *arm) : tip_centres(*recording);
   if (!tips) {
     return tl::unexpected(with_warnings(tips.error(), recording->warnings));
   }

@@ -28,7 +28,7 @@ struct Request {
   CommonOptions common;
   std::string recording;
   std::string arm, specification;
-  AccessOption access;
+  RecordingOptions access;
   std::string standard, against, report;
   DccRequest dcc;
   std::string artefact_out;
@@ -58,8 +58,9 @@ Expected<std::string> calibrated_plate_text(const Request& request, const Verifi
 Expected<int> verify_and_tell(const Request& request) {
   auto material =
       read_recording(request.recording, request.access.of(request.recording)).and_then([&](Recording&& recording) {
-        return read_verification_material(std::move(recording),
-                                          {request.arm, request.specification, request.access.of(request.recording)});
+        return read_verification_material(
+            std::move(recording),
+            {request.arm, request.specification, request.access.of(request.recording), request.access.limits});
       });
   if (!material) {
     return tl::unexpected(material.error());

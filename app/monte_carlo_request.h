@@ -19,7 +19,7 @@ struct TrialRange {
 /// What `artcal uncertainty --monte-carlo` takes beside what `artcal uncertainty` takes.
 struct MonteCarloRequest {
   bool asked = false;
-  AccessOption access;
+  RecordingOptions access;
   IdentifyChoices choices;  ///< its noise stands in the options of `artcal uncertainty`
   std::string trials = "auto";
   int digits = 2;

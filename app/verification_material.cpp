@@ -22,9 +22,9 @@ Expected<void> read_other_arm(const std::string& path, VerificationMaterial& mat
   return {};
 }
 
-Expected<void> read_artefacts_and_tips(const FileAccess& access, VerificationMaterial& material) {
+Expected<void> read_artefacts_and_tips(const VerificationSources& sources, VerificationMaterial& material) {
   const Arm* other = material.other_arm ? &*material.other_arm : nullptr;
-  auto constraints = read_constraints(material.recording, access, {ScanUse::WholeBalls, other});
+  auto constraints = read_constraints(material.recording, sources.access, {ScanUse::WholeBalls, other, sources.limits});
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), material.recording.warnings));
   }
@@ -58,7 +58,7 @@ Expected<VerificationMaterial> read_verification_material(Recording recording, c
   if (auto read = read_other_arm(sources.arm, material); !read) {
     return tl::unexpected(read.error());
   }
-  if (auto read = read_artefacts_and_tips(sources.access, material); !read) {
+  if (auto read = read_artefacts_and_tips(sources, material); !read) {
     return tl::unexpected(read.error());
   }
   if (auto read = read_specification(sources.specification, material); !read) {

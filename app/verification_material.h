@@ -3,16 +3,19 @@
 #include <optional>
 #include <string>
 
+#include "acquisition/cloud_limits.h"
 #include "acquisition/tip_centres.h"
 #include "artefacts/constraint.h"
 #include "artefacts/verification/session.h"
+#include "core/file_access.h"
 
 namespace artcal {
 
 /// What a verification is asked of beside the recording; empty: what the recording names.
 struct VerificationSources {
   std::string arm, specification;
-  FileAccess access;  ///< to what the recording's artefacts name
+  FileAccess access;        ///< to what the recording's artefacts name
+  CloudLimits limits = {};  ///< of the memory that compressed points may take
 };
 
 /// What a session refers to.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "acquisition/cloud_limits.h"
 #include "acquisition/recording.h"
 #include "artefacts/artefact.h"
 #include "core/error.h"
@@ -21,6 +22,7 @@ enum class ScanUse {
 struct ScanSelection {
   ScanUse use = ScanUse::SureOfBall;
   const Arm* arm = nullptr;  ///< that says where the tip was; null: the recording's own
+  CloudLimits limits = {};   ///< of the memory that compressed points may take
 };
 
 /// Makes readings of the scans that a recording names (Recording::scans): each point that lies on a sphere of the

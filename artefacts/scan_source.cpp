@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "acquisition/point_cloud.h"
+#include "acquisition/cloud_limits.h"
 #include "acquisition/tip_centres.h"
 #include "core/in_quotes.h"
 
@@ -49,14 +49,16 @@ Expected<int> probe_of(const RecordedScan& scan, const Arm& arm) {
                    scan.where);
 }
 
-Expected<PointCloud> read_cloud(const RecordedScan& scan, const Arm& arm, ScanUse use) {
-  auto cloud = read_point_cloud(scan.path, scan.units);
+Expected<PointCloud> cloud_of(const RecordedScan& scan, const Arm& arm, const ScanSelection& selection) {
+  auto cloud = read_cloud(scan.path, scan.units, {}, selection.limits).map([](ReadCloud&& read) {
+    return std::move(read.cloud);
+  });
   if (!cloud) {
     return cloud;
   }
   const auto joints = static_cast<Eigen::Index>(arm.joints.size());
   if (joints == 0 || cloud->joints.rows() == 0) {
-    if (use == ScanUse::WholeBalls) {
+    if (selection.use == ScanUse::WholeBalls) {
       cloud->joints.resize(0, 0);
       return cloud;
     }
@@ -156,7 +158,7 @@ Expected<ScanSource> open_scan(const Recording& recording, const RecordedScan& s
     return tl::unexpected(options.error());
   }
   source.options = std::move(*options);
-  auto cloud = read_cloud(scan, recording.arm, selection.use);
+  auto cloud = cloud_of(scan, recording.arm, selection);
   if (!cloud) {
     return tl::unexpected(cloud.error());
   }

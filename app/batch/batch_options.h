@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "acquisition/cloud_limits.h"
 #include "core/file_access.h"
 
 namespace artcal {
@@ -12,6 +13,7 @@ namespace artcal {
 struct BatchOptions {
   bool leave_out = false;            ///< identify again without each placement
   bool anywhere = false;             ///< recordings may refer to files anywhere
+  CloudLimits limits = {};           ///< of the memory that compressed points of scans may take
   std::vector<std::string> folders;  ///< absolute; the recordings found in them may refer to all that is in them
 
   /// What results depend on, as the store states it.

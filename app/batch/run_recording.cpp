@@ -70,7 +70,8 @@ Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& op
   }
   Job job{*recording, {}, {}, {}, {}};
   if (job.recording.identify.asked) {
-    auto constraints = read_constraints(job.recording, options.access_of(path));
+    auto constraints =
+        read_constraints(job.recording, options.access_of(path), {ScanUse::SureOfBall, nullptr, options.limits});
     if (!constraints) {
       return tl::unexpected(with_warnings(constraints.error(), job.recording.warnings));
     }
@@ -78,7 +79,8 @@ Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& op
   }
   if (!job.recording.verify.standard.empty()) {
     // A verification makes other readings of scans than an identification.
-    auto material = read_verification_material(std::move(*recording), {"", "", options.access_of(path)});
+    auto material =
+        read_verification_material(std::move(*recording), {"", "", options.access_of(path), options.limits});
     if (!material) {
       return tl::unexpected(material.error());
     }

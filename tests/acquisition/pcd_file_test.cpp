@@ -251,7 +251,7 @@ TEST_F(PcdFile, CompressedPointsTakeNoMoreMemoryThanIsAllowed) {
   const auto with_limit = [&](std::size_t bytes) {
     return parse_pcd({"p.pcd", sound, "hash"}, CloudUnits{}, CloudLimits{bytes}).error().text();
   };
-  EXPECT_THAT(with_limit(50'000), HasSubstr("segment more with --max-memory"));
+  EXPECT_THAT(with_limit(50'000), HasSubstr("or allow more with --max-memory"));
   EXPECT_THAT(with_limit(53'000), HasSubstr("all 1000 points are the same"));
 }
 
