@@ -85,7 +85,7 @@ Expected<int> write_points(const Request& request) {
       !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto tips = arm ? tip_centres(*recording, *arm) : tip_centres(*recording);
+  const auto tips = tip_centres(*recording, arm ? *arm : recording->arm);
   if (!tips) {
     return tl::unexpected(with_warnings(tips.error(), recording->warnings));
   }

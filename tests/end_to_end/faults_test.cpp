@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <nlohmann/json.hpp>
 
+#include "acquisition/recording_file.h"
 #include "tests/end_to_end/archive.h"
 
 namespace artcal {
@@ -190,28 +191,37 @@ TEST_F(Faults, WhatLooksWrongInReadingsIsToldByPointsAndByFailures) {
 }
 
 TEST_F(Faults, PointsWritesLabelsAsReadingsHaveThem) {
-  write(
-      "r/recording.toml",
-      "schema = \"artcal-recording/1\"\nreadings = [\"r.csv\"]\nunits = { length = \"mm\" }\n[[probe]]\nradius = 3\n");
-  const std::string labels = "artefact,placement,feature,orientation,repeat,x,y,z\n";
-  write("r/r.csv", labels +
-                       "\"bar; left\",\"#1\",\" A \",'=cmd|' /C calc'!A0,-1,1,2,3\n"
-                       "\"a,b\",\"say \"\"x\"\"\",@SUM,+x,''=1,4,5,6\n");
-  ASSERT_EQ(run({"points", "r/recording.toml", "-o", "r/p.csv", "--json", "one.json"}).exit_code, 0);
-  const std::string table = text_of("r/p.csv");
+  take("ball-bar");
+  const std::string beginning = "schema = \"artcal-recording/1\"\n";
+  write("ball-bar/r.toml", beginning +
+                               "arm = \"arm.toml\"\nreadings = [\"r.csv\"]\n"
+                               "units = { joint = \"deg\", length = \"mm\" }\n");
+  write("ball-bar/r.csv",
+        "artefact,placement,feature,orientation,repeat,q1,q2,q3,q4,q5,q6\n"
+        "\"bar; left\",\"#1\",\" A \",'=cmd|' /C calc'!A0,-1,1,2,3,4,5,6\n"
+        "\"a,b\",\"say \"\"x\"\"\",@SUM,+x,''=1,1,2,3,4,5,7\n");
+  const Ended ended = run({"points", "ball-bar/r.toml", "-o", "ball-bar/p.csv", "--json", "p.json"});
+  ASSERT_EQ(ended.exit_code, 0) << ended.err;
+  const std::string table = text_of("ball-bar/p.csv");
   EXPECT_THAT(table, Not(ContainsRegex("(^|[,\"])[=@]")));
   EXPECT_THAT(table, HasSubstr("'@SUM"));
   EXPECT_THAT(table, HasSubstr(",-1,"));
-  change("r/recording.toml", "r.csv", "p.csv");
-  ASSERT_EQ(run({"points", "r/recording.toml", "-o", "r/q.csv", "--json", "two.json"}).exit_code, 0);
-  EXPECT_EQ(text_of("r/q.csv"), table);
-  for (const char* label : {"artefact", "placement", "feature"}) {
-    for (int i = 0; i < 2; ++i) {
-      EXPECT_EQ(Json::parse(text_of("one.json"))["points"][i][label],
-                Json::parse(text_of("two.json"))["points"][i][label]);
-    }
+  const auto before = read_recording(file("ball-bar/r.toml"));
+  ASSERT_TRUE(before) << before.error().text();
+  write("ball-bar/p.toml", beginning + "readings = [\"p.csv\"]\nunits = { length = \"mm\" }\n[[probe]]\nname = \"" +
+                               before->arm.probes.front().name + "\"\nradius = 3\n");
+  const auto after = read_recording(file("ball-bar/p.toml"));
+  ASSERT_TRUE(after) << after.error().text();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Reading& one = before->readings[i];
+    const Reading& two = after->readings[i];
+    EXPECT_EQ(before->artefacts.name(one.artefact), after->artefacts.name(two.artefact));
+    EXPECT_EQ(before->placements.name(one.placement), after->placements.name(two.placement));
+    EXPECT_EQ(before->features.name(one.feature), after->features.name(two.feature));
+    EXPECT_EQ(before->orientations.name(one.orientation), after->orientations.name(two.orientation));
+    EXPECT_EQ(before->repeats.name(one.repeat), after->repeats.name(two.repeat));
   }
-  EXPECT_EQ(Json::parse(text_of("one.json"))["points"][1]["feature"], "@SUM");
+  EXPECT_EQ(Json::parse(text_of("p.json"))["points"][1]["feature"], "@SUM");
 }
 
 // examples/simulate with the ball bar of examples/certificates, whose numbers stand in a certificate of its own.

@@ -163,7 +163,7 @@ TEST_F(FullDisk, ADiskThatCanOnlyBeReadIsReadAndNotWritten) {
               HasSubstr("disk/s.sqlite: the store cannot be written: the file, or the disk that it is on, can only "
                         "be read"));
   EXPECT_THAT(ended.err, HasSubstr("disk/new.sqlite: the store cannot be opened: "));
-  EXPECT_EQ(count_of(ended.err, "Read-only file system"), 3) << ended.err;
+  EXPECT_EQ(count_of(ended.err, "Read-only file system"), 4) << ended.err;  // of the reports and their index
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ Evaluation sound_session(int placements, int readings, double sigma, std::uint64
 
 // The worst of thousands is far from their median without anything being wrong with it.
 TEST(StandingOut, OfASoundSessionOfAnySizeNothing) {
-  for (const int placements : {3, 10, 100, 1000, 5000}) {
+  for (const int placements : {3, 10, 100, 1000}) {
     for (const int readings : {4, 5, 25}) {
       for (std::uint64_t seed = 0; seed < 3; ++seed) {
         EXPECT_EQ(what_stands_out(sound_session(placements, readings, 0.1, seed), 0.3).value_or(""), "")
