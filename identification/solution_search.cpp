@@ -101,8 +101,7 @@ Expected<Candidate> candidate_from(Alignment alignment, const Recording& recordi
   if (!after) {
     return tl::unexpected(after.error());
   }
-  auto reasons =
-      misfits(fit->fit, *after, recording.arm, fit->preparation.free, options.noise, options.loss);
+  auto reasons = misfits(fit->fit, *after, recording.arm, fit->preparation.free, options.noise, options.loss);
   return Candidate{alignment,
                    1,
                    std::move(fit->preparation),
