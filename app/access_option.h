@@ -27,7 +27,7 @@ struct RecordingOptions : AccessOption {
 
   void add_to(CLI::App& parser);
   /// Of scans, for an identification.
-  [[nodiscard]] ScanSelection scans() const { return {ScanUse::SureOfBall, nullptr, limits}; }
+  [[nodiscard]] ScanSelection scans() const { return {ScanUse::SureOfBall, nullptr, limits.max_memory}; }
 };
 
 }  // namespace artcal

@@ -24,7 +24,8 @@ Expected<void> read_other_arm(const std::string& path, VerificationMaterial& mat
 
 Expected<void> read_artefacts_and_tips(const VerificationSources& sources, VerificationMaterial& material) {
   const Arm* other = material.other_arm ? &*material.other_arm : nullptr;
-  auto constraints = read_constraints(material.recording, sources.access, {ScanUse::WholeBalls, other, sources.limits});
+  auto constraints =
+      read_constraints(material.recording, sources.access, {ScanUse::WholeBalls, other, sources.limits.max_memory});
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), material.recording.warnings));
   }

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "acquisition/cloud_limits.h"
 #include "acquisition/recording.h"
 #include "artefacts/artefact.h"
 #include "core/error.h"
@@ -21,8 +21,8 @@ enum class ScanUse {
 /// Which points of scans become readings.
 struct ScanSelection {
   ScanUse use = ScanUse::SureOfBall;
-  const Arm* arm = nullptr;  ///< that says where the tip was; null: the recording's own
-  CloudLimits limits = {};   ///< of the memory that compressed points may take
+  const Arm* arm = nullptr;    ///< that says where the tip was; null: the recording's own
+  std::size_t max_memory = 0;  ///< bytes that compressed points may take; 0: sixteen times their file, at least 256 MiB
 };
 
 /// Makes readings of the scans that a recording names (Recording::scans): each point that lies on a sphere of the

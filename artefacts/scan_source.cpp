@@ -50,7 +50,7 @@ Expected<int> probe_of(const RecordedScan& scan, const Arm& arm) {
 }
 
 Expected<PointCloud> cloud_of(const RecordedScan& scan, const Arm& arm, const ScanSelection& selection) {
-  auto cloud = read_cloud(scan.path, scan.units, {}, selection.limits).map([](ReadCloud&& read) {
+  auto cloud = read_cloud(scan.path, scan.units, {}, CloudLimits{selection.max_memory}).map([](ReadCloud&& read) {
     return std::move(read.cloud);
   });
   if (!cloud) {

@@ -70,8 +70,8 @@ Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& op
   }
   Job job{*recording, {}, {}, {}, {}};
   if (job.recording.identify.asked) {
-    auto constraints =
-        read_constraints(job.recording, options.access_of(path), {ScanUse::SureOfBall, nullptr, options.limits});
+    auto constraints = read_constraints(job.recording, options.access_of(path),
+                                        {ScanUse::SureOfBall, nullptr, options.limits.max_memory});
     if (!constraints) {
       return tl::unexpected(with_warnings(constraints.error(), job.recording.warnings));
     }
