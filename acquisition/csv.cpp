@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -150,7 +151,9 @@ Expected<bool> CsvReader::next() {
   }
   if (found && *found && fields_.size() != header_.size()) {
     return bad_input(
-        fmt::format("the line has {} fields, expected {} as in the header", fields_.size(), header_.size()), where(0));
+        fmt::format("the line has {} fields, expected {} as in the header{}", fields_.size(), header_.size(),
+                    fields_.size() > header_.size() ? "; are there decimal commas? Numbers have points here" : ""),
+        where(0));
   }
   return found;
 }
@@ -161,8 +164,8 @@ Expected<double> CsvReader::number(std::size_t column, std::string_view expected
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
-    return bad_input(fmt::format("column {}: found {}, expected {}", header_[column],
-                                 text.empty() ? "nothing" : in_quotes(text), expected),
+    return bad_input(fmt::format("column {}: found {}, expected {}{}", header_[column],
+                                 text.empty() ? "nothing" : in_quotes(text), expected, decimal_comma_question(text)),
                      where(column));
   }
   return value;

@@ -5,6 +5,7 @@
 #include "acquisition/arm_file.h"
 #include "acquisition/readings_file.h"
 #include "acquisition/scan_table.h"
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 #include "core/plausible.h"
 #include "core/text_file.h"
@@ -25,8 +26,8 @@ std::optional<double> noise_at(TomlTable& table, std::string_view key, Quantity 
   const std::string text = table.text(key);
   const auto value = read(text);
   if (!value || *value <= 0.0) {
-    table.fail(key, fmt::format("the noise `{}` is {}, expected a number above zero with its unit, such as \"{}\"", key,
-                                in_quotes(text), example));
+    table.fail(key, fmt::format("the noise `{}` is {}, expected a number above zero with its unit, such as \"{}\"{}",
+                                key, in_quotes(text), example, decimal_comma_question(text)));
   } else if (read == angle_quantity ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
     table.fail(key,
                fmt::format("the noise `{}` is {}, expected a standard deviation of {}; is the unit right?", key,

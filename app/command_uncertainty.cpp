@@ -7,6 +7,7 @@
 #include "app/command_monte_carlo.h"
 #include "app/output.h"
 #include "app/uncertainty_result.h"
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 #include "core/plausible.h"
 #include "core/unit_names.h"
@@ -29,8 +30,8 @@ Expected<double> noise_of(const std::string& text, const char* option,
   }
   const auto value = quantity(text);
   if (!value) {
-    return wrong_usage(
-        fmt::format("{} is {}, expected a number with its unit, such as \"{}\"", option, in_quotes(text), example));
+    return wrong_usage(fmt::format("{} is {}, expected a number with its unit, such as \"{}\"{}", option,
+                                   in_quotes(text), example, decimal_comma_question(text)));
   }
   const bool is_angle = quantity == angle_quantity;
   if (*value > 0.0 && (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value))) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 #include "core/unit_names.h"
 
@@ -48,8 +49,8 @@ Expected<std::optional<double>> length_of(const std::string& text, std::string_v
   }
   const auto length = length_quantity(text);
   if (!length || *length <= 0.0) {
-    return wrong_usage(fmt::format("{}: found {}, expected a length above zero with its unit, such as \"25.4 mm\"",
-                                   option, in_quotes(text)));
+    return wrong_usage(fmt::format("{}: found {}, expected a length above zero with its unit, such as \"25.4 mm\"{}",
+                                   option, in_quotes(text), decimal_comma_question(text)));
   }
   return length;
 }

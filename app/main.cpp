@@ -16,6 +16,7 @@
 #include "app/phrases.h"
 #include "app/store/where.h"
 #include "app/version.h"
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 
 namespace {
@@ -51,6 +52,12 @@ int said_all(int exit_code) {
   return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0 ? exit_code : not_all_said();
 }
 
+// Of a word that is a number with a decimal comma, a line that asks about it.
+std::string comma_remark(const char* word) {
+  const std::string question = artcal::decimal_comma_question(word);
+  return question.empty() ? question : fmt::format("{}{}\n", artcal::in_quotes(word), question);
+}
+
 int run(int argc, char** argv) {
   CLI::App parser{"artcal: artefact-based calibration of articulated-arm coordinate measuring machines", "artcal"};
   parser.set_version_flag("--version", fmt::format("artcal {}", artcal::program_version));
@@ -71,6 +78,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     std::ostringstream said;
     const int exit_code = parser.exit(error, std::cout, said);
+    for (int i = 1; exit_code != 0 && i < argc; ++i) {
+      said << comma_remark(argv[i]);
+    }
     std::cerr << artcal::without_passwords(said.str());
     return said_all(exit_code == 0 ? 0 : wrong_usage);
   }

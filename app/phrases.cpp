@@ -30,10 +30,15 @@ std::string text_of_exception(const std::exception& error) {
   return "internal error: " + what;
 }
 
+std::string as_sentence(const std::string& text) {
+  const bool ends = text.ends_with('?') || text.ends_with('.') || text.ends_with('!');
+  return ends ? text : text + ".";
+}
+
 std::string warning_lines(const std::vector<std::string>& warnings) {
   std::string text;
   for (const std::string& warning : warnings) {
-    text += fmt::format("Warning: {}.\n", warning);
+    text += fmt::format("Warning: {}\n", as_sentence(warning));
   }
   return text;
 }

@@ -12,6 +12,9 @@ namespace artcal {
 /// "1 reading", "2 readings".
 std::string plural(std::size_t count, const std::string& noun);
 
+/// With a full stop at its end, unless it ends with a question.
+std::string as_sentence(const std::string& text);
+
 /// A line "Warning: …." for each; nothing for none.
 std::string warning_lines(const std::vector<std::string>& warnings);
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 #include "core/plausible.h"
 #include "core/unit_names.h"
@@ -22,8 +23,8 @@ double read_length_or_quantity(TomlTable& table, const ArtefactValues& values, s
   const auto quantity = length_quantity(text);
   if (!quantity) {
     table.fail(key, fmt::format("`{}` is {}, expected a length with its unit, such as \"0.8 um\", or a number in the "
-                                "file's unit of length",
-                                key, in_quotes(text)));
+                                "file's unit of length{}",
+                                key, in_quotes(text), decimal_comma_question(text)));
   }
   return quantity.value_or(1.0);
 }
@@ -33,8 +34,8 @@ double read_quantity(TomlTable& table, std::string_view key, std::optional<doubl
   const std::string text = table.text(key);
   const auto quantity = read(text);
   if (!quantity) {
-    table.fail(key, fmt::format("`{}` is {}, expected a number of zero or more with its unit, such as \"{}\"", key,
-                                in_quotes(text), example));
+    table.fail(key, fmt::format("`{}` is {}, expected a number of zero or more with its unit, such as \"{}\"{}", key,
+                                in_quotes(text), example, decimal_comma_question(text)));
   }
   return quantity.value_or(1.0);
 }

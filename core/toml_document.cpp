@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "core/calendar_date.h"
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
+#include "core/name_list.h"
 #include "core/size_limits.h"
 #include "core/toml_keys.h"
 
@@ -19,6 +22,7 @@ struct TomlTable::Shared {
   std::string path;
   std::optional<Error> first_error;
   std::set<const toml::node*> read;
+  std::map<const void*, std::vector<std::string>> asked;  ///< of each table, the keys that a reader looked for
 };
 
 namespace {
@@ -36,8 +40,31 @@ std::string position(const std::string& path, const toml::source_region& source)
 // have it shown: no message quotes what is in it.
 bool says_artcal(std::string_view text) { return text.find("artcal-") != std::string_view::npos; }
 
+// What a text that is no TOML is, as far as its beginning tells; nothing of it is shown.
+std::string_view kind_of_text(std::string_view text) {
+  const std::string_view begin = text.substr(0, 2000);
+  const std::size_t first = begin.find_first_not_of(" \t\r\n");
+  const std::string_view line =
+      first == std::string_view::npos ? begin : begin.substr(first, begin.find('\n', first) - first);
+  const auto commas = std::count(line.begin(), line.end(), ','), semicolons = std::count(line.begin(), line.end(), ';');
+  return begin.find("<robot") != std::string_view::npos          ? "a description of a robot (URDF)"
+         : line.starts_with("<")                                 ? "XML or HTML"
+         : line.starts_with("{")                                 ? "JSON"
+         : line.starts_with("ply") || line.starts_with("# .PCD") ? "a point cloud"
+         : std::max(commas, semicolons) > 0 && line.find('=') == std::string_view::npos
+             ? "a table of values (CSV), such as a recording names"
+             : "not valid TOML";
+}
+
+std::string_view line_at(std::string_view text, std::size_t number) {
+  for (std::size_t i = 1; i < number && !text.empty(); ++i) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
 // Every text that is parsed here passes this first: toml++ takes deep tables apart by recursion.
-Expected<toml::table> guarded_parse(const TextFile& file) {
+Expected<toml::table> guarded_parse(const TextFile& file, std::string_view schema) {
   const std::string path = file.path.string();
   if (const int line = line_of_endless_key(file.text); line > 0) {
     return bad_input("a key has more parts than any that is known here", fmt::format("{}:{}", path, line));
@@ -46,8 +73,10 @@ Expected<toml::table> guarded_parse(const TextFile& file) {
     return toml::parse(file.text, path);
   } catch (const toml::parse_error& error) {
     return bad_input(says_artcal(file.text)
-                         ? fmt::format("this is not valid TOML: {}", at_most(200, error.description()))
-                         : "this is not valid TOML, expected a file that begins with schema = \"artcal-…\"",
+                         ? fmt::format("this is not valid TOML: {}{}", at_most(200, error.description()),
+                                       decimal_comma_question_of_line(line_at(file.text, error.source().begin.line)))
+                         : fmt::format("this is {}, expected a file that begins with schema = \"{}\"",
+                                       kind_of_text(file.text), schema),
                      position(path, error.source()));
   }
 }
@@ -83,17 +112,24 @@ bool is_schema_name(std::string_view text) {
          all_of(text.substr(slash + 1), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// The first key in the file that no reader asked for.
-const toml::key* first_unread(const toml::table& table, const std::set<const toml::node*>& read) {
-  const toml::key* first = nullptr;
-  const auto earlier = [&](const toml::key* key) {
-    if (key != nullptr && (first == nullptr || key->source().begin < first->source().begin)) {
-      first = key;
+/// A key that no reader asked for, what it holds and the table that it stands in.
+struct UnreadKey {
+  const toml::key* key = nullptr;
+  const toml::node* node = nullptr;
+  const toml::table* table = nullptr;
+};
+
+// The first in the file.
+UnreadKey first_unread(const toml::table& table, const std::set<const toml::node*>& read) {
+  UnreadKey first;
+  const auto earlier = [&](const UnreadKey& found) {
+    if (found.key != nullptr && (first.key == nullptr || found.key->source().begin < first.key->source().begin)) {
+      first = found;
     }
   };
   for (const auto& [key, node] : table) {
     if (!read.contains(&node)) {
-      earlier(&key);
+      earlier({&key, &node, &table});
     } else if (const auto* inner = node.as_table()) {
       earlier(first_unread(*inner, read));
     } else if (const auto* array = node.as_array()) {
@@ -107,9 +143,53 @@ const toml::key* first_unread(const toml::table& table, const std::set<const tom
   return first;
 }
 
+// "[[placements]]" or "[errors]" as it stands in the file; empty of what is no table.
+std::string heading_of(const UnreadKey& unread) {
+  const std::string name = at_most(40, unread.key->str());
+  return unread.node->is_array_of_tables() ? "[[" + name + "]]" : unread.node->is_table() ? "[" + name + "]" : "";
+}
+
+std::string unread_in_words(const UnreadKey& unread, const std::vector<std::string>& asked) {
+  const std::string heading = heading_of(unread);
+  std::vector<std::string> known;
+  std::copy_if(asked.begin(), asked.end(), std::back_inserter(known),
+               [&](const std::string& key) { return unread.table->get(key) == nullptr; });
+  const std::string nearest = nearest_name(unread.key->str(), known);
+  return fmt::format(
+      "{} is not a key that is known here{}; is it misspelt, or in the wrong table?{}{}", in_quotes(unread.key->str()),
+      heading.empty() ? "" : " (of the table " + heading + ")",
+      nearest.empty() ? "" : fmt::format(" The nearest that is known is {}", in_quotes(nearest)),
+      known.empty() ? "" : fmt::format("{} There could be: {}", nearest.empty() ? "" : ".", listed_names(known)));
+}
+
+// A key that is nearly one that was looked for in vain: it says more of the case than what is missed without it.
+UnreadKey misspelt_key(const toml::table& root, const std::vector<std::string>& asked) {
+  UnreadKey first;
+  for (const auto& [key, node] : root) {
+    if (std::find(asked.begin(), asked.end(), key.str()) != asked.end()) {
+      continue;
+    }
+    const std::string nearest = nearest_name(key.str(), asked);
+    const bool is_first = first.key == nullptr || key.source().begin < first.key->source().begin;
+    if (!nearest.empty() && root.get(nearest) == nullptr && is_first) {
+      first = {&key, &node, &root};
+    }
+  }
+  return first;
+}
+
 }  // namespace
 
-bool TomlTable::has(std::string_view key) const { return table_ != nullptr && as_table(table_).get(key) != nullptr; }
+bool TomlTable::has(std::string_view key) const {
+  if (table_ == nullptr) {
+    return false;
+  }
+  auto& asked = shared_->asked[table_];
+  if (std::find(asked.begin(), asked.end(), key) == asked.end()) {
+    asked.emplace_back(key);
+  }
+  return as_table(table_).get(key) != nullptr;
+}
 
 bool TomlTable::is_text(std::string_view key) const { return has(key) && as_table(table_).get(key)->is_string(); }
 
@@ -327,7 +407,7 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
 Expected<TomlDocument> TomlDocument::parse(const TextFile& file, std::string_view schema) {
   auto shared = std::make_shared<TomlTable::Shared>();
   shared->path = file.path.string();
-  auto parsed = guarded_parse(file);
+  auto parsed = guarded_parse(file, schema);
   if (!parsed) {
     return tl::unexpected(parsed.error());
   }
@@ -354,8 +434,17 @@ Expected<TomlDocument> TomlDocument::read(const std::filesystem::path& path, std
 }
 
 Expected<void> TomlDocument::so_far() const {
-  const auto& error = root_.shared_->first_error;
-  return error ? Expected<void>(tl::unexpected(*error)) : Expected<void>();
+  const auto& shared = *root_.shared_;
+  if (!shared.first_error) {
+    return {};
+  }
+  const auto asked = shared.asked.find(&shared.document);
+  if (asked != shared.asked.end()) {
+    if (const UnreadKey misspelt = misspelt_key(shared.document, asked->second); misspelt.key != nullptr) {
+      return bad_input(unread_in_words(misspelt, asked->second), position(shared.path, misspelt.key->source()));
+    }
+  }
+  return tl::unexpected(*shared.first_error);
 }
 
 Expected<void> TomlDocument::finish() {
@@ -363,16 +452,16 @@ Expected<void> TomlDocument::finish() {
     return noted;
   }
   const auto& shared = *root_.shared_;
-  if (const auto* key = first_unread(shared.document, shared.read)) {
-    return bad_input(fmt::format("{} is not a key that is known here; is it misspelt, or in the wrong table?",
-                                 in_quotes(key->str())),
-                     position(shared.path, key->source()));
+  if (const UnreadKey unread = first_unread(shared.document, shared.read); unread.key != nullptr) {
+    const auto asked = shared.asked.find(unread.table);
+    return bad_input(unread_in_words(unread, asked == shared.asked.end() ? std::vector<std::string>{} : asked->second),
+                     position(shared.path, unread.key->source()));
   }
   return {};
 }
 
 std::string schema_of(const TextFile& file) {
-  const auto parsed = guarded_parse(file);
+  const auto parsed = guarded_parse(file, "artcal-…");
   return parsed ? (*parsed)["schema"].value_or(std::string{}) : std::string{};
 }
 

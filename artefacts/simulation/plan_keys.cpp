@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -18,8 +19,8 @@ double quantity_at(TomlTable& table, std::string_view key, double fallback, Quan
   const std::string text = table.text(key);
   const auto value = read(text);
   if (!value) {
-    table.fail(key, fmt::format("`{}` is {}, expected a number of zero or above with its unit, such as \"{}\"", key,
-                                in_quotes(text), example));
+    table.fail(key, fmt::format("`{}` is {}, expected a number of zero or above with its unit, such as \"{}\"{}", key,
+                                in_quotes(text), example, decimal_comma_question(text)));
   }
   return value.value_or(fallback);
 }

@@ -47,6 +47,16 @@ TEST_F(TextFileTest, RefusesWhatIsNoFile) {
   EXPECT_FALSE(read_text_file("/dev/null"));
 }
 
+TEST_F(TextFileTest, SaysWhatIsTrueOfAPathThatLeadsNowhere) {
+  const auto refused = [](const std::filesystem::path& path) { return read_text_file(path).error().message; };
+  EXPECT_THAT(refused(folder_.path() / "missing.csv"), HasSubstr("its folder is there, but has none of that name"));
+  EXPECT_THAT(refused(folder_.path() / "none" / "missing.csv"), HasSubstr("its folder is not there either"));
+  EXPECT_THAT(refused("no such file.toml"), HasSubstr("the current folder has none of that name"));
+  EXPECT_THAT(refused("C:\\data\\recording.toml"), HasSubstr("a path of Windows"));
+  EXPECT_THAT(refused(folder_.path()), HasSubstr("this is a folder, expected a text file; name the file"));
+  EXPECT_THAT(refused("/dev/null"), HasSubstr("a device"));
+}
+
 TEST_F(TextFileTest, RefusesEmptyFiles) {
   EXPECT_THAT(refusal(""), HasSubstr("f.txt: the file is empty"));
   EXPECT_THAT(refusal("\xEF\xBB\xBF"), HasSubstr("empty"));

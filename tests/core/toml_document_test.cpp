@@ -103,6 +103,35 @@ TEST(TomlDocument, MissingKeysSayInWhichTable) {
   EXPECT_THAT(verdict("", [](TomlTable& t) { t.table("inner").number("n"); }), HasSubstr("`n` is missing in [inner]"));
 }
 
+TEST(TomlDocument, AnUnknownTableIsNamedWithWhatItCouldHaveBeen) {
+  const auto reader = [](TomlTable& t) {
+    t.number_or("seed", 1.0);
+    if (t.tables("placement").empty()) {
+      t.fail("placement", "the artefacts stand nowhere");
+    }
+  };
+  const std::string wrong = verdict("[[placements]]\nx = 1", reader);
+  EXPECT_THAT(wrong,
+              StartsWith("f.toml:2:3: \"placements\" is not a key that is known here (of the table [[placements]])"));
+  EXPECT_THAT(wrong, HasSubstr("The nearest that is known is \"placement\". There could be: \"seed\", \"placement\""));
+  EXPECT_THAT(verdict("[other]\nx = 1", reader), HasSubstr("stand nowhere")) << "nothing like it was looked for";
+}
+
+TEST(TomlDocument, ForeignFilesAreNamedForWhatTheyAre) {
+  for (const auto& [text, kind] : {std::pair("a,b,c\n1,2,3\n", "a table of values (CSV)"),
+                                   {"<?xml version=\"1.0\"?>\n<robot name=\"r\"/>", "(URDF)"},
+                                   {"<html></html>", "XML or HTML"},
+                                   {"{\"kind\": 1}", "JSON"},
+                                   {"what is this", "not valid TOML"}}) {
+    const auto parsed = TomlDocument::parse({"f", text, ""}, "artcal-recording/1");
+    ASSERT_FALSE(parsed);
+    EXPECT_THAT(parsed.error().message, HasSubstr(kind));
+    EXPECT_THAT(parsed.error().message, HasSubstr("schema = \"artcal-recording/1\""));
+  }
+  const auto comma = TomlDocument::parse({"f", "schema = \"artcal-arm/1\"\nd = 3,5\n", ""}, "artcal-arm/1");
+  EXPECT_THAT(comma.error().message, HasSubstr("decimal comma? Write \"3,5\" with a point: 3.5"));
+}
+
 TEST(TomlDocument, UnknownKeysAreRefusedWhereverTheyStand) {
   EXPECT_THAT(verdict("nmae = 1"), StartsWith("f.toml:2:1: \"nmae\" is not a key that is known here"));
   EXPECT_THAT(verdict("[a]\nb = 1", [](TomlTable& t) { t.table("a"); }), HasSubstr("f.toml:3:1: \"b\""));
