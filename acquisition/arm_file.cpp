@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/arm_text.h"
 #include "acquisition/covariance_matrix.h"
 #include "acquisition/joint_error_keys.h"
 #include "acquisition/parameters.h"
@@ -191,10 +192,7 @@ std::string identification_text(const ArmIdentification& known) {
   return text + "]\n";
 }
 
-}  // namespace
-
-Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
-  auto document = TomlDocument::read(path, schema);
+Expected<ArmFile> arm_file_of(Expected<TomlDocument> document, const std::filesystem::path& path) {
   if (!document) {
     return tl::unexpected(document.error());
   }
@@ -222,6 +220,18 @@ Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
     return tl::unexpected(finished.error());
   }
   return result;
+}
+
+}  // namespace
+
+Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
+  return arm_file_of(TomlDocument::read(path, schema), path);
+}
+
+Expected<Arm> arm_of_text(const std::string& text, const std::string& name) {
+  return arm_file_of(TomlDocument::parse({name, text, ""}, schema), name).map([](ArmFile&& file) {
+    return std::move(file.arm);
+  });
 }
 
 std::string arm_file_text(const Arm& arm, const std::optional<ArmIdentification>& identification) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/measurand_family.h"
 #include "app/phrases.h"
 #include "app/result_head.h"
 #include "app/result_json.h"
@@ -88,23 +89,10 @@ struct Family {
   bool differs = false;
 };
 
-std::string family_name(const FollowedQuantity& quantity) {
-  switch (quantity.kind) {
-    case FollowedQuantity::Kind::Coordinate:
-      return "coordinate of " + quantity.name.substr(0, quantity.name.rfind(' '));
-    case FollowedQuantity::Kind::Length: return quantity.name.substr(0, quantity.name.rfind(','));
-    case FollowedQuantity::Kind::EUni: return "E_Uni, " + quantity.name.substr(0, quantity.name.rfind(','));
-    case FollowedQuantity::Kind::PSize: return "P_Size, 25 points";
-    case FollowedQuantity::Kind::LDia: return "L_Dia, 5 x 5";
-    case FollowedQuantity::Kind::Parameter: break;
-  }
-  return "";
-}
-
 std::string measured_text(const MonteCarloResult& result, const std::vector<PropagatedQuantity>& summary) {
   std::vector<Family> families;
   for (std::size_t i = 0; i < summary.size(); ++i) {
-    const std::string name = family_name(result.quantities[i]);
+    const std::string name = measurand_family(name_of(result.quantities[i].kind), result.quantities[i].name);
     if (name.empty()) {
       continue;
     }

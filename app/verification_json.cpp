@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/artefacts_told.h"
+#include "app/feature_places.h"
 #include "app/json_list.h"
 #include "app/readings_json.h"
 #include "app/result_json.h"
@@ -153,6 +154,7 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["interim"] = result.interim ? interim_json(*result.interim) : Json(nullptr);
   json["missing"] = verification.missing;
   json["warnings"] = verification.warnings;
+  json["features"] = feature_places_json(session);
   json["arm_shape"] = arm_shape_json(session.recording, session.arm);
   return json;
 }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "app/standard_name.h"
 #include "app/table.h"
+#include "app/verification_run.h"
 #include "core/in_quotes.h"
 #include "core/units.h"
 
@@ -46,6 +49,10 @@ const char* symbol_of(Quantity quantity) {
 
 std::string limit_text(const TestValue& value) { return value.limit ? micrometres(*value.limit) : "-"; }
 
+std::string share_text(const TestValue& value) {
+  return value.limit ? fmt::format("{:.0f} %", 100.0 * severity(value)) : "-";
+}
+
 std::string verdict_text(const TestValue& value) { return value.set_aside ? "set aside" : text_of(value.verdict); }
 
 std::vector<Quantity> quantities_of(const Verification& verification) {
@@ -79,26 +86,26 @@ std::string title_text(const Session& session, const Verification& verification)
                              : "coordinates from joint angles";
   return fmt::format("{}\narm {}: {} readings, {}\n\n{}: {}\n  specification: {}; decision rule: {}\n\n",
                      shown(session.recording.name), in_quotes(session.arm.name), session.recording.readings.size(), by,
-                     verification.standard, answer(verification),
+                     standard_in_words(verification.standard), answer(verification),
                      session.specification.name.empty() ? "none" : in_quotes(session.specification.name),
                      text_of(verification.rule));
 }
 
 std::string summary_text(const Verification& verification) {
-  Table table({"worst of each, um", "values", "value", "limit", "u (k = 1)", "verdict", "where"});
+  Table table({"worst of each, um", "values", "value", "limit", "share", "u (k = 1)", "verdict", "where"});
   for (const Quantity quantity : quantities_of(verification)) {
     const TestValue* worst = worst_of(verification, quantity);
     const auto count = std::count_if(verification.values.begin(), verification.values.end(),
                                      [&](const TestValue& value) { return value.quantity == quantity; });
     if (worst != nullptr) {
       table.add(
-          {symbol_of(quantity), fmt::format("{}", count), value_text(*worst), limit_text(*worst),
+          {symbol_of(quantity), fmt::format("{}", count), value_text(*worst), limit_text(*worst), share_text(*worst),
            fmt::format("{:.2f}", worst->budget.total() / units::micrometre), verdict_text(*worst),
            fmt::format("{} at {}", shown(worst->first) + (worst->second.empty() ? "" : " - " + shown(worst->second)),
                        worst->placement.empty() ? text_of(worst->place) : shown(worst->placement))});
     }
   }
-  return table.text() + "\n";
+  return table.text() + "  Worst: the value with the largest share of its limit (without a limit, the largest).\n\n";
 }
 
 std::string list_text(const char* heading, const std::vector<std::string>& lines) {
@@ -220,6 +227,32 @@ std::string interim_text(const InterimCheck& check) {
          list_text("Not in the earlier verification:", check.not_compared);
 }
 
+// In lines of a terminal's width.
+std::string wrapped_places() {
+  constexpr std::size_t width = 110;
+  std::string text = "Where:", line = text;
+  std::istringstream words(places_are);
+  for (std::string word; words >> word;) {
+    const bool fits = line.size() + 1 + word.size() <= width;
+    line = fits ? line + " " + word : "  " + word;
+    text += fits ? " " + word : "\n  " + word;
+  }
+  return text + "\n";
+}
+
+// A long list must not hide that the test failed: its end stands nearest to the next prompt.
+std::string closing_text(const VerificationResult& result) {
+  const Verification& verification = result.verification;
+  const std::string interim = result.interim ? fmt::format("Interim check: {}\n", interim_answer(*result.interim)) : "";
+  const auto failed = std::count_if(verification.values.begin(), verification.values.end(), [](const TestValue& value) {
+    return value.verdict == Verdict::DoesNotConform && !value.set_aside;
+  });
+  return fmt::format(
+      "\n{}{}: {} ({} of {} values do not conform{})\n", interim, standard_in_words(verification.standard),
+      answer(verification), failed, verification.values.size(),
+      verification.missing.empty() ? "" : fmt::format("; {} missing, listed above", verification.missing.size()));
+}
+
 }  // namespace
 
 std::string to_text(const Session& session, const VerificationResult& result, bool all) {
@@ -237,7 +270,8 @@ std::string to_text(const Session& session, const VerificationResult& result, bo
   for (const Quantity quantity : quantities_of(verification)) {
     text += values_text(verification, quantity, all);
   }
-  return text;
+  text += verification.values.empty() ? "" : wrapped_places();
+  return is_shown(result) ? text : text + closing_text(result);
 }
 
 }  // namespace artcal

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/result_names.h"
+#include "app/standard_name.h"
 #include "app/store/stored_text.h"
 
 namespace artcal {
@@ -44,7 +45,7 @@ IndexRow row_of(const StoreRow& row) {
   shown.rms_after = number_of(row[8]);
   shown.task = shown.rms_after ? "identification" : "";
   if (const std::string standard = text_of(row[5]); !standard.empty()) {
-    shown.task += (shown.task.empty() ? "" : ", ") + standard;
+    shown.task += (shown.task.empty() ? "" : ", ") + standard_in_words(standard);
   }
   return shown;
 }

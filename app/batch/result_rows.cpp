@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/arm_file.h"
 #include "app/result_names.h"
 #include "app/version.h"
 #include "artefacts/artefact_type.h"
@@ -109,7 +110,7 @@ void add_identification(StoreRows& rows, const std::string& key, const Identific
       {key, whole(result.coupling.rank), result.noise, whole(result.noise_is_given), result.chi_squared,
        whole(result.degrees_of_freedom), result.enlargement, result.before.overall.rms, result.before.overall.maximum,
        result.after.overall.rms, result.after.overall.maximum, rms_left_out(result), whole(result.outliers.size()),
-       lower_triangle(result.covariance)});
+       lower_triangle(result.covariance), arm_file_text(result.arm, std::nullopt)});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const IdentifiedParameter& parameter = result.parameters[i];
     const bool identified = parameter.state == ParameterState::Identified;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/arm_text.h"
 #include "app/history/store_reader.h"
 #include "app/result_names.h"
 #include "core/in_quotes.h"
@@ -110,6 +111,13 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
   calibration.parameters = read_parameters(reader, calibration.entry.recording);
   const auto identified = std::count_if(calibration.parameters.begin(), calibration.parameters.end(), is_identified);
   calibration.covariance = reader.covariance(row[5], static_cast<std::size_t>(identified));
+  if (const std::string text = text_of(row[6]); !text.empty()) {
+    if (auto arm = arm_of_text(text, "arm_file")) {
+      calibration.arm = std::move(*arm);
+    } else {
+      reader.fail("its arm is none: " + at_most(200, arm.error().message));
+    }
+  }
   return calibration;
 }
 
@@ -117,8 +125,9 @@ constexpr const char* in_order = " WHERE r.arm = :v0 ORDER BY coalesce(r.measure
 
 void read_calibrations(StoreReader& reader, ArmHistory& history) {
   for (const StoreRow& row : reader.rows(
-           std::string("SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance "
-                       "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
+           std::string(
+               "SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance, i.arm_file "
+               "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
                in_order,
            {history.arm})) {
     history.calibrations.push_back(read_calibration(reader, row));

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "acquisition/arm.h"
+#include "app/history/length_change.h"
 #include "app/store/store.h"
 #include "artefacts/verification/interim.h"
 
@@ -31,6 +33,7 @@ struct Calibration {
   double rms_before = 0.0, rms_after = 0.0;  ///< mm
   std::vector<CalibratedParameter> parameters;
   Eigen::MatrixXd covariance;  ///< of the identified ones, in their order
+  std::optional<Arm> arm;      ///< as identified; nothing where an earlier version of artcal stored the result
 };
 
 struct PastVerification {
@@ -55,9 +58,10 @@ struct CalibrationStep {
   std::size_t then = 0, now = 0;  ///< into ArmHistory::calibrations
   std::string not_comparable;     ///< why not; empty where it is
   std::vector<ParameterChange> changes;
-  double chi_squared = 0.0;            ///< of all changes together, by the sum of both covariances
-  double limit = 0.0;                  ///< what chance stays below in 95 of 100 cases
-  std::vector<std::string> in_common;  ///< certificates that both rest on
+  double chi_squared = 0.0;             ///< of all changes together, by the sum of both covariances
+  double limit = 0.0;                   ///< what chance stays below in 95 of 100 cases
+  std::vector<std::string> in_common;   ///< certificates that both rest on
+  std::optional<LengthChange> lengths;  ///< by how much measured lengths change; nothing where an arm is not known
   [[nodiscard]] bool significant() const { return chi_squared > limit; }
 };
 

@@ -52,6 +52,9 @@ CalibrationStep step_between(const Calibration& then, const Calibration& now) {
   CalibrationStep step;
   std::set_intersection(then.entry.certificates.begin(), then.entry.certificates.end(), now.entry.certificates.begin(),
                         now.entry.certificates.end(), std::back_inserter(step.in_common));
+  if (then.arm && now.arm) {
+    step.lengths = length_change(*then.arm, *now.arm);  // lengths compare where parameters do not
+  }
   step.not_comparable = difference(then, now);
   if (!step.not_comparable.empty()) {
     return step;

@@ -37,13 +37,16 @@ Json drift_json(const Drift& drift) {
 }
 
 Json step_json(const ArmHistory& history, const CalibrationStep& step) {
-  Json json{{"then", history.calibrations[step.then].entry.recording},
-            {"now", history.calibrations[step.now].entry.recording},
-            {"not_comparable", text_or_null(step.not_comparable)},
-            {"chi_squared", step.chi_squared},
-            {"chi_squared_95", step.limit},
-            {"significant", step.significant()},
-            {"certificates_in_common", step.in_common}};
+  Json json{
+      {"then", history.calibrations[step.then].entry.recording},
+      {"now", history.calibrations[step.now].entry.recording},
+      {"not_comparable", text_or_null(step.not_comparable)},
+      {"chi_squared", step.chi_squared},
+      {"chi_squared_95", step.limit},
+      {"significant", step.significant()},
+      {"certificates_in_common", step.in_common},
+      {"change_of_lengths",
+       step.lengths ? Json{{"rms_mm", step.lengths->rms}, {"maximum_mm", step.lengths->maximum}} : Json(nullptr)}};
   json["changes"] = Json::array();
   for (const ParameterChange& change : step.changes) {
     json["changes"].push_back(change_json(change));

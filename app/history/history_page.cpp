@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include "app/history/drift_sections.h"
+#include "app/history/what_changed.h"
 #include "app/report/numbers.h"
 #include "app/report/page.h"
 #include "app/report/sheet.h"
+#include "app/standard_name.h"
 #include "app/version.h"
 
 namespace artcal {
@@ -35,7 +37,10 @@ void write_calibration_verdict(const ArmHistory& history, Sheet& sheet) {
   }
   const auto& overall = history.calibrations_overall;
   const bool slowly = overall && overall->significant();
-  std::string text = last.significant() ? "" : fmt::format("No significant change since {}. ", since);
+  const std::string lengths = lengths_in_words(last, "µm");
+  std::string text = !last.significant() ? fmt::format("No significant change since {}. ", since)
+                     : lengths.empty()   ? ""
+                                         : fmt::format("The change since then moves {}. ", lengths);
   text +=
       slowly ? fmt::format("Changed significantly since {}.", date_of(history.calibrations[overall->then].entry)) : "";
   sheet.verdict(last.significant() || slowly ? Mood::Unsure : Mood::Good,
@@ -66,7 +71,8 @@ void write_verification_verdict(const ArmHistory& history, std::size_t index, Sh
   sheet.verdict(past.conclusion == Conclusion::NonConformityShown            ? Mood::Bad
                 : past.conclusion == Conclusion::ConformityShown && !changed ? Mood::Good
                                                                              : Mood::Unsure,
-                fmt::format("{} {}, {}: {}", sign, shown(past.standard), date_of(past.entry), text_of(past.conclusion)),
+                fmt::format("{} {}, {}: {}", sign, standard_in_words(past.standard), date_of(past.entry),
+                            text_of(past.conclusion)),
                 (last != nullptr ? since_in_words(history, *last) : "") +
                     (overall != nullptr ? since_in_words(history, *overall) : ""));
 }
@@ -83,6 +89,37 @@ void write_verdicts(const ArmHistory& history, Sheet& sheet) {
   }
 }
 
+// What a reader asks first.
+void write_what_changed(const ArmHistory& history, Sheet& sheet) {
+  std::vector<std::string> sentences;
+  for (const ChangeSentence& sentence : what_changed(history, "µm")) {
+    sentences.push_back((sentence.significant ? "⚠ " : "– ") + sentence.text);
+  }
+  if (sentences.empty()) {
+    return;
+  }
+  sheet.part("What changed");
+  sheet.list(sentences);
+  html::Table table(
+      "Changes of the parameters from one identification to the next, and what they change measured "
+      "lengths by (500 lengths between random postures), µm",
+      {{"date", false, true, true},
+       {"since", false, false, true},
+       {"largest", true, false, false, false, true},
+       {"rms"},
+       {"", false, false, false, false, true}});
+  for (const CalibrationStep& step : history.calibration_steps) {
+    const bool comparable = step.not_comparable.empty();
+    table.add({day_of(history.calibrations[step.now].entry), day_of(history.calibrations[step.then].entry),
+               step.lengths ? micrometres(step.lengths->maximum) : "not known",
+               step.lengths ? micrometres(step.lengths->rms) : "not known",
+               !comparable          ? "not comparable"
+               : step.significant() ? "⚠ changed"
+                                    : "within chance"});
+  }
+  sheet.table(table);
+}
+
 void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
   html::Table calibrations("Identifications, rms in mm", {{"date", false, true, true},
                                                           {"recording", false},
@@ -96,11 +133,11 @@ void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
   html::Table verifications("Verifications", {{"date", false, true, true},
                                               {"recording", false},
                                               {"standard", false},
-                                              {"conclusion", false},
+                                              {"conclusion", false, false, false, false, true},
                                               {"artefacts and certificates", false}});
   for (const PastVerification& past : history.verifications) {
-    verifications.add({date_of(past.entry), shown(past.entry.name), shown(past.standard), text_of(past.conclusion),
-                       certificates_of(past.entry)});
+    verifications.add({date_of(past.entry), shown(past.entry.name), standard_in_words(past.standard),
+                       text_of(past.conclusion), certificates_of(past.entry)});
   }
   sheet.section("What was done");
   sheet.table(calibrations);
@@ -113,6 +150,7 @@ std::string history_html(const ArmHistory& history, const std::string& store) {
   Sheet sheet;
   const std::string title = "History: " + shown(history.arm);
   sheet.title(title);
+  write_what_changed(history, sheet);
   write_verdicts(history, sheet);
   write_parameter_drift(history, sheet);
   write_value_drift(history, sheet);
@@ -120,7 +158,7 @@ std::string history_html(const ArmHistory& history, const std::string& store) {
   sheet.note(fmt::format("From the store {} by artcal {}: the results that stand, of files as they are now.",
                          shown(store), program_version));
   return page_html({title, html::element("main", sheet.markup()), nlohmann::ordered_json{{"figures", sheet.figures()}},
-                    Scripts::Plots});
+                    Scripts::Plots, title});
 }
 
 }  // namespace artcal

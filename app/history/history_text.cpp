@@ -7,9 +7,12 @@
 #include <fmt/format.h>
 
 #include "app/history/over_time.h"
+#include "app/history/what_changed.h"
 #include "app/shown_unit.h"
+#include "app/standard_name.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
+#include "core/units.h"
 
 namespace artcal {
 namespace {
@@ -56,7 +59,7 @@ std::string largest_text(const std::vector<TestValue>& values) {
 std::string verifications_text(const ArmHistory& history) {
   Table table({"verification", "standard", "conclusion", "largest, mm", "certificates"});
   for (const PastVerification& verification : history.verifications) {
-    table.add({date_of(verification.entry), verification.standard, text_of(verification.conclusion),
+    table.add({date_of(verification.entry), standard_in_words(verification.standard), text_of(verification.conclusion),
                largest_text(verification.values), listed(verification.entry.certificates)});
   }
   return table.text();
@@ -68,8 +71,10 @@ std::string step_text(const ArmHistory& history, const CalibrationStep& step, bo
   if (!step.not_comparable.empty()) {
     return text + "not comparable, " + step.not_comparable + "\n";
   }
+  const std::string lengths = lengths_in_words(step, "um");
+  const std::string changed = "CHANGED" + (lengths.empty() ? "" : ", " + lengths);
   text += fmt::format("{} (chi squared {:.4g} of all {} together, chance stays below {:.4g})\n",
-                      step.significant() ? "CHANGED" : "no significant change", step.chi_squared, step.changes.size(),
+                      step.significant() ? changed : "no significant change", step.chi_squared, step.changes.size(),
                       step.limit);
   Table table({"  parameter", "unit", "then", "now", "change", "u (k = 1)", ""});
   bool any = false;
@@ -89,9 +94,10 @@ std::string step_text(const ArmHistory& history, const CalibrationStep& step, bo
 
 std::string step_text(const ArmHistory& history, const VerificationStep& step, bool all) {
   const auto& drifts = step.check.drifts;
-  std::string text = fmt::format("\n{} from {} to {}: {}\n", history.verifications[step.now].standard,
-                                 date_of(history.verifications[step.then].entry),
-                                 date_of(history.verifications[step.now].entry), change_in_words(step));
+  std::string text =
+      fmt::format("\n{} from {} to {}: {}\n", standard_in_words(history.verifications[step.now].standard),
+                  date_of(history.verifications[step.then].entry), date_of(history.verifications[step.now].entry),
+                  change_in_words(step));
   Table table({"  value", "then mm", "now mm", "change mm", "u mm", ""});
   bool any = false;
   for (const Drift& drift : drifts) {
@@ -114,13 +120,38 @@ std::string worst_text(const ArmHistory& history) {
   for (const WorstOverTime& worst : worst_over_time(history)) {
     for (const auto& [verification, value] : worst.points) {
       any = any || worst.points.size() > 1;
-      table.add({fmt::format("  {} {}", worst.standard, name_of(worst.quantity)),
+      table.add({fmt::format("  {} {}", standard_in_words(worst.standard), name_of(worst.quantity)),
                  date_of(history.verifications[verification].entry), fmt::format("{:+.4f}", value->value),
                  fmt::format("{:.4f}", value->budget.total()),
                  value->limit ? fmt::format("{:.4f}", *value->limit) : std::string("none"), text_of(value->verdict)});
     }
   }
   return any ? "\nValues over time\n" + table.text() : "";
+}
+
+// What a reader asks first.
+std::string changed_text(const ArmHistory& history) {
+  const auto sentences = what_changed(history, "um");
+  if (sentences.empty()) {
+    return "";
+  }
+  std::string text = "What changed\n";
+  for (const ChangeSentence& sentence : sentences) {
+    text += fmt::format("  {} {}\n", sentence.significant ? "!" : "-", sentence.text);
+  }
+  Table table({"  parameters on", "since", "lengths, um: up to", "rms", ""});
+  for (const CalibrationStep& step : history.calibration_steps) {
+    const auto micrometres = [&](double LengthChange::*size) {
+      return step.lengths ? fmt::format("{:.1f}", *step.lengths.*size / units::micrometre) : std::string("not known");
+    };
+    table.add({"  " + day_of(history.calibrations[step.now].entry), day_of(history.calibrations[step.then].entry),
+               micrometres(&LengthChange::maximum), micrometres(&LengthChange::rms),
+               !step.not_comparable.empty() ? "not comparable"
+               : step.significant()         ? "changed"
+                                            : "within chance"});
+  }
+  const bool several = history.calibration_steps.size() > 1;
+  return text + (several ? "\n" + table.text() : "") + "\n";
 }
 
 template <typename Steps>
@@ -131,7 +162,7 @@ bool any_in_common(const Steps& steps) {
 }  // namespace
 
 std::string to_text(const ArmHistory& history, bool all) {
-  std::string text = fmt::format("arm {}\n\n", in_quotes(history.arm));
+  std::string text = fmt::format("arm {}\n\n", in_quotes(history.arm)) + changed_text(history);
   if (!history.calibrations.empty()) {
     text += calibrations_text(history);
   }

@@ -10,6 +10,8 @@
 #include "app/history/time_labels.h"
 #include "app/phrases.h"
 #include "app/report/numbers.h"
+#include "app/report/test_values.h"
+#include "app/standard_name.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -70,14 +72,17 @@ Json figure_data(const char* quantity, const Times& times, const Json& series) {
 
 void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Sheet& sheet) {
   Json series = Json::array();
-  html::Table table("The worst of each quantity over time, µm; u is the standard uncertainty of the test value",
-                    {{"quantity", false, true},
-                     {"date", false, false, true},
-                     {"value"},
-                     {"u"},
-                     {"limit"},
-                     {"verdict", false},
-                     {"where", false}});
+  html::Table table(
+      fmt::format("The worst of each quantity over time, µm: {}; u is the standard uncertainty of the test "
+                  "value",
+                  worst_is),
+      {{"quantity", false, true},
+       {"date", false, false, true},
+       {"value", true, false, false, false, true},
+       {"u"},
+       {"limit"},
+       {"verdict", false, false, false, false, true},
+       {"where", false}});
   for (const WorstOverTime& worst : all) {
     Line line;
     for (const auto& [verification, value] : worst.points) {
@@ -90,9 +95,12 @@ void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Shee
     }
     series.push_back(line.series(name_of(worst.quantity)));
   }
-  sheet.figure({"The worst of each quantity over time",
-                "Sizes without sign; bars are twice the standard uncertainty of the test value.",
-                figure_data("worst", times, series)});
+  sheet.figure(
+      {"The worst of each quantity over time",
+       fmt::format("Of each verification {}. Sizes without sign; bars are twice the standard uncertainty of the test "
+                   "value.",
+                   worst_is),
+       figure_data("worst", times, series)});
   sheet.table(table);
 }
 
@@ -138,14 +146,14 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
                      {"where", false},
                      {"first"},
                      {"last"},
-                     {"change"},
+                     {"change", true, false, false, false, true},
                      {"u"},
                      {"change / u"},
-                     {"", false}});
+                     {"", false, false, false, false, true}});
   for (std::size_t i = 0; i < std::min(most_rows, drifts.size()); ++i) {
     const Drift& drift = drifts[i];
     table.add_markup(
-        {html::text(name_of(drift.quantity)), html::text(place_of(drift.placement, drift.first, drift.second)),
+        {html::cell(name_of(drift.quantity)), html::cell(place_of(drift.placement, drift.first, drift.second)),
          signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
          two_digits(drift.u / units::micrometre), fmt::format("{:.1f}", severity(drift)),
          drift.significant              ? "⚠ significant"
@@ -175,7 +183,7 @@ void write_value_drift(const ArmHistory& history, Sheet& sheet) {
     if (times.verifications.size() < 2) {
       continue;
     }
-    sheet.section(fmt::format("Values by {} over time", shown(standard)));
+    sheet.section(fmt::format("Values by {} over time", standard_in_words(standard)));
     write_worst(of_standard, times, sheet);
     const InterimCheck check = compare(history.verifications[times.verifications.back()].values,
                                        history.verifications[times.verifications.front()].values);

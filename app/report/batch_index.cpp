@@ -46,7 +46,7 @@ std::string common_folder(const std::vector<IndexRow>& rows) {
 }
 
 std::string name_of(const IndexRow& row, const std::string& folder) {
-  const std::string name = html::text(std::string_view(row.recording).substr(folder.size()));
+  const std::string name = html::cell(std::string_view(row.recording).substr(folder.size()));
   return row.report.empty() ? name : fmt::format("<a href=\"{}\">{}</a>", link_to(row.report), name);
 }
 
@@ -70,21 +70,22 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
   }
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->outcome > b->outcome; });
   const std::string folder = common_folder(rows);
-  html::Table table("Every recording; a click on a column's head sorts by it", {{"recording", false, true},
-                                                                                {"arm", false},
-                                                                                {"date", false, false, true},
-                                                                                {"task", false, false, true},
-                                                                                {"outcome", false, false, true},
-                                                                                {"rms before, mm"},
-                                                                                {"after, mm"},
-                                                                                {"largest / limit"},
-                                                                                {"warnings"},
-                                                                                {"message", false}});
+  html::Table table("Every recording; a click on a column's head sorts by it",
+                    {{"recording", false, true},
+                     {"arm", false},
+                     {"date", false, false, true},
+                     {"task", false},
+                     {"outcome", false, false, true, false, true},
+                     {"rms before, mm"},
+                     {"after, mm"},
+                     {"largest / limit", true, false, false, false, true},
+                     {"warnings"},
+                     {"message", false}});
   for (const IndexRow* row : order) {
     table.add_markup(
-        {name_of(*row, folder), html::text(row->arm), html::text(row->date), html::text(row->task),
+        {name_of(*row, folder), html::cell(row->arm), html::cell(row->date), html::cell(row->task),
          word_of(row->outcome), number(row->rms_before, "{:.4f}"), number(row->rms_after, "{:.4f}"),
-         number(row->largest_of_limit, "{:.2f}"), fmt::format("{}", row->warnings), html::text(row->message)},
+         number(row->largest_of_limit, "{:.2f}"), fmt::format("{}", row->warnings), html::cell(row->message)},
         row->outcome == IndexOutcome::Failed ? "notable" : "");
   }
   const std::string body =
@@ -93,7 +94,7 @@ std::string index_html(const std::string& title, const std::vector<IndexRow>& ro
                         (folder.empty() ? "" : html::element("p", "Recordings in " + html::text(folder))) +
                         table.markup("class=\"sortable\""),
                     "class=\"wide\"");
-  return page_html({title, body, nlohmann::ordered_json::object(), Scripts::Sorting});
+  return page_html({title, body, nlohmann::ordered_json::object(), Scripts::Sorting, title});
 }
 
 }  // namespace artcal

@@ -25,12 +25,13 @@ void write_plate(const Json& plate, Sheet& sheet) {
   if (!plate.at("finding").is_null()) {
     sheet.note("⚠ " + plate.at("finding").get<std::string>());
   }
-  html::Table table("Residuals of the balls in the plate's axes, µm",
-                    {{"ball", false, true}, {"x"}, {"y"}, {"z"}, {"standardised"}, {"", false}});
+  html::Table table(
+      "Residuals of the balls in the plate's axes, µm",
+      {{"ball", false, true}, {"x"}, {"y"}, {"z"}, {"standardised"}, {"", false, false, false, false, true}});
   for (const Json& ball : plate.at("balls")) {
     const Json& residual = ball.at("residual_mm");
     const bool stands_out = ball.at("stands_out");
-    table.add_markup({html::text(shown(text_in(ball, "feature"))), signed_micrometres(residual.at(0)),
+    table.add_markup({html::cell(shown(text_in(ball, "feature"))), signed_micrometres(residual.at(0)),
                       signed_micrometres(residual.at(1)), signed_micrometres(residual.at(2)),
                       fmt::format("{:.1f}", ball.at("standardised").get<double>()), stands_out ? "⚠ stands out" : ""},
                      stands_out ? "notable" : "");
@@ -88,14 +89,14 @@ void write_drifts(const Json& interim, Sheet& sheet) {
                                                                  {"feature", false},
                                                                  {"then"},
                                                                  {"now"},
-                                                                 {"drift"},
+                                                                 {"drift", true, false, false, false, true},
                                                                  {"u"},
-                                                                 {"", false}});
+                                                                 {"", false, false, false, false, true}});
   for (const Json& drift : interim.at("drifts")) {
     const std::string second = text_in(drift, "second");
     const bool significant = drift.at("significant");
-    table.add_markup({html::text(shown(text_in(drift, "quantity"))), html::text(shown(text_in(drift, "placement"))),
-                      html::text(shown(text_in(drift, "first")) + (second.empty() ? "" : " – " + shown(second))),
+    table.add_markup({html::cell(shown(text_in(drift, "quantity"))), html::cell(shown(text_in(drift, "placement"))),
+                      html::cell(shown(text_in(drift, "first")) + (second.empty() ? "" : " – " + shown(second))),
                       signed_micrometres(drift.at("then_mm")), signed_micrometres(drift.at("now_mm")),
                       signed_micrometres(drift.at("drift_mm")),
                       fmt::format("{:.2f}", number_in(drift.at("u_mm")) / units::micrometre),

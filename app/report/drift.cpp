@@ -12,6 +12,7 @@
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"
+#include "app/standard_name.h"
 #include "core/statistics.h"
 #include "core/units.h"
 
@@ -177,10 +178,15 @@ void write_test_values(const Results& results, const std::string& standard, Shee
       worst[quantity.quantity][i] = quantity.worst;
     }
   }
-  sheet.part(fmt::format("Values by {}", shown(standard)));
+  sheet.part(fmt::format("Values by {}", standard_in_words(standard)));
   Json series = Json::array();
-  html::Table table("The worst of each quantity over time, µm",
-                    {{"quantity", false, true}, {"when", false}, {"value"}, {"limit"}, {"u"}, {"verdict", false}});
+  html::Table table(fmt::format("The worst of each quantity over time, µm: {}", worst_is),
+                    {{"quantity", false, true},
+                     {"when", false},
+                     {"value", true, false, false, false, true},
+                     {"limit"},
+                     {"u"},
+                     {"verdict", false, false, false, false, true}});
   for (const auto& [quantity, values] : worst) {
     Json x = Json::array(), y = Json::array(), bars = Json::array();
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -200,7 +206,9 @@ void write_test_values(const Results& results, const std::string& standard, Shee
   }
   sheet.figure(
       {"The worst of each quantity over time",
-       "Sizes without sign; bars are twice the standard uncertainty of the test value.",
+       fmt::format(
+           "Of each verification {}. Sizes without sign; bars are twice the standard uncertainty of the test value.",
+           worst_is),
        {{"kind", "drift"}, {"quantity", "worst"}, {"unit", "µm"}, {"dated", times.dated}, {"series", series}}});
   sheet.table(table);
 }

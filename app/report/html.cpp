@@ -11,12 +11,46 @@ namespace {
 
 constexpr std::size_t longest = 4000;
 constexpr std::size_t most_of_a_short_table = 12;
+constexpr std::size_t longest_whole_word = 28;  // characters
+constexpr std::size_t most_columns_of_a_narrow_table = 4;
+constexpr std::size_t most_columns_with_much_room = 8;
+
+std::string class_of(const Column& column) {
+  const std::string kind = column.is_number ? "number" : column.is_whole ? "whole" : "";
+  return column.is_answer ? kind + (kind.empty() ? "answer" : " answer") : kind;
+}
 
 std::string cell_markup(const Column& column, const std::string& cell) {
-  const char* kind = column.is_number ? " class=\"number\"" : column.is_whole ? " class=\"whole\"" : "";
-  return column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", kind, cell)
-                           : fmt::format("<td{}>{}</td>", kind, cell);
+  const std::string kind = class_of(column);
+  const std::string attribute = kind.empty() ? "" : fmt::format(" class=\"{}\"", kind);
+  return column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", attribute, cell)
+                           : fmt::format("<td{}>{}</td>", attribute, cell);
 }
+
+// Of UTF-8.
+std::size_t characters(std::string_view word) {
+  return static_cast<std::size_t>(std::count_if(word.begin(), word.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string piece_markup(std::string_view piece) {
+  return characters(piece) > longest_whole_word ? fmt::format("<span class=\"long\">{}</span>", text(piece))
+                                                : text(piece);
+}
+
+// With places to break behind its punctuation.
+std::string long_word_markup(std::string_view word) {
+  std::string markup;
+  for (std::size_t begin = 0; begin < word.size();) {
+    const std::size_t sign = word.find_first_of("/\\_-.:;,=&|", begin);
+    const std::size_t end = sign == std::string_view::npos ? word.size() : sign + 1;
+    markup += (begin > 0 ? "<wbr>" : "") + piece_markup(word.substr(begin, end - begin));
+    begin = end;
+  }
+  return markup;
+}
+
+// A string of CSS in an attribute: the headings are the program's own words.
+std::string css_string(std::string_view heading) { return fmt::format("'{}'", text(heading)); }
 
 }  // namespace
 
@@ -33,6 +67,18 @@ std::string text(std::string_view found) {
     }
   }
   return escaped;
+}
+
+std::string cell(std::string_view found) {
+  const std::string whole = at_most(longest, found);
+  std::string markup;
+  for (std::size_t begin = 0; begin <= whole.size();) {
+    const std::size_t end = std::min(whole.find(' ', begin), whole.size());
+    const std::string_view word = std::string_view(whole).substr(begin, end - begin);
+    markup += (begin > 0 ? " " : "") + (characters(word) > longest_whole_word ? long_word_markup(word) : text(word));
+    begin = end + 1;
+  }
+  return markup;
 }
 
 std::string element(std::string_view tag, std::string_view content, std::string_view attributes) {
@@ -58,7 +104,7 @@ Table::Table(std::string_view caption, std::vector<Column> columns)
 void Table::add(const std::vector<std::string>& cells) {
   std::vector<std::string> markup;
   for (const std::string& cell : cells) {
-    markup.push_back(text(cell));
+    markup.push_back(html::cell(cell));
   }
   add_markup(markup);
 }
@@ -69,7 +115,7 @@ void Table::add_markup(const std::vector<std::string>& cells, std::string_view r
 
 std::string Table::markup(std::string_view attributes) const {
   std::vector<std::size_t> shown;
-  std::string head, body;
+  std::string head, body, labels;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const Column& column = columns_[i];
     const auto says_nothing = [&](const Row& row) { return row.cells.at(i) == "–"; };
@@ -77,6 +123,9 @@ std::string Table::markup(std::string_view attributes) const {
       shown.push_back(i);
       head +=
           fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
+      labels += column.is_heading || column.heading.empty()
+                    ? ""
+                    : fmt::format("--c{}:{};", shown.size(), css_string(column.heading));
     }
   }
   for (const Row& row : rows_) {
@@ -86,10 +135,15 @@ std::string Table::markup(std::string_view attributes) const {
     }
     body += "</tr>\n";
   }
+  const bool is_wide = shown.size() > most_columns_of_a_narrow_table;
   return fmt::format(
-      "<div class=\"table{}\"><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
+      "<div class=\"table{}{}\"{}><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
       "</table></div>\n",
-      rows_.size() <= most_of_a_short_table ? " short" : "", attributes.empty() ? "" : " ", attributes, caption_, head,
+      rows_.size() <= most_of_a_short_table ? " short" : "",
+      !is_wide                                     ? ""
+      : shown.size() > most_columns_with_much_room ? " wide dense"
+                                                   : " wide",
+      is_wide ? fmt::format(" style=\"{}\"", labels) : "", attributes.empty() ? "" : " ", attributes, caption_, head,
       body);
 }
 

@@ -13,6 +13,11 @@ namespace artcal::html {
 /// double quotes; the only way by which anything from a file gets into a page.
 std::string text(std::string_view found);
 
+/// The same for a cell of a table, whose column may become no narrower than its longest word: words of more than 28
+/// characters, such as paths, may be broken after their punctuation, and where they have none anywhere. No other word
+/// is.
+std::string cell(std::string_view found);
+
 /// Each in a tag of its own; the arguments are markup already.
 std::string element(std::string_view tag, std::string_view content, std::string_view attributes = {});
 
@@ -26,9 +31,11 @@ struct Column {
   bool is_heading = false;  ///< its cells name their rows
   bool is_whole = false;    ///< its cells are words that are not broken into lines
   bool may_go = false;      ///< left out where every cell is "–"
+  bool is_answer = false;   ///< what the row is read for: on a narrow screen it stands right behind the row's name
 };
 
-/// A table whose head is repeated on each page of paper; a short one stays on one page.
+/// A table whose head is repeated on each page of paper; a short one stays on one page. On a screen too narrow for its
+/// columns each row of a wide one becomes a few lines, each value behind its column's heading.
 class Table {
  public:
   Table(std::string_view caption, std::vector<Column> columns);

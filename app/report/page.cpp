@@ -1,5 +1,7 @@
 #include "app/report/page.h"
 
+#include <cctype>
+
 #include <openssl/evp.h>
 #include <openssl/sha.h>
 
@@ -9,6 +11,7 @@
 #include "app/report/web_files.h"
 #include "app/version.h"
 #include "core/hash.h"
+#include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
@@ -41,6 +44,24 @@ const std::vector<Script>& scripts_of(Scripts which) {
   return which == Scripts::Plots ? plots : which == Scripts::SharedPlots ? missing : sorting;
 }
 
+// As a string of CSS: only letters, digits and spaces stand as they are (the space behind an escape ends it), so that
+// nothing ends the string or the style.
+std::string css_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    const bool is_plain =
+        (static_cast<unsigned char>(c) & 0x80U) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ' ';
+    quoted += is_plain ? std::string(1, c) : fmt::format("\\{:x} ", static_cast<unsigned char>(c));
+  }
+  return quoted + "\"";
+}
+
+std::string running_style(const std::string& running) {
+  return running.empty() ? ""
+                         : fmt::format("@page {{ @bottom-left {{ content: {}; font: 9pt sans-serif; }} }}\n",
+                                       css_string(at_most(80, running)));
+}
+
 }  // namespace
 
 std::string page_html(const Page& page) {
@@ -58,9 +79,10 @@ std::string page_html(const Page& page) {
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src{}; "
       "style-src 'unsafe-inline'; img-src data: blob:; font-src data:; base-uri 'none'; form-action 'none'\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"generator\" content=\"artcal {}\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n{}"
+      "<meta name=\"generator\" content=\"artcal {}\">\n<title>{}</title>\n<style>\n{}{}</style>\n</head>\n<body>\n{}"
       "<script type=\"application/json\" id=\"data\">{}</script>\n{}</body>\n</html>\n",
-      sources, program_version, html::text(page.title), web_files::style(), page.body, html::data(page.data), code);
+      sources, program_version, html::text(page.title), web_files::style(), running_style(page.running), page.body,
+      html::data(page.data), code);
 }
 
 const SharedScripts& shared_scripts() {

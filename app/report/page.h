@@ -22,6 +22,7 @@ struct Page {
   std::string body;             ///< markup, made with app/report/html.h
   nlohmann::ordered_json data;  ///< for the scripts
   Scripts scripts = Scripts::Plots;
+  std::string running = {};  ///< text at the foot of every page of paper, such as the arm's name
 };
 
 std::string page_html(const Page& page);

@@ -58,7 +58,7 @@ void write_circumstances(const Json& result, Sheet& sheet) {
                {"Readings", readings_of(result)}});
   write_artefacts(result.at("artefacts"), sheet);
   for (const Json& warning : result.at("warnings")) {
-    sheet.note("⚠ " + warning.get<std::string>() + ".");
+    sheet.note("⚠ " + as_sentence(warning.get<std::string>()));
   }
 }
 
@@ -72,7 +72,7 @@ void write_provenance(const std::vector<ReportedResult>& results, Sheet& sheet) 
         fmt::format("{} {}, {}", text_in(program, "name"), text_in(program, "version"), text_in(result.json, "kind")),
         {{"file", false, true}, {"SHA-256", false}});
     for (const Json& input : result.json.at("inputs")) {
-      table.add_markup({html::text(shown(text_in(input, "path"))),
+      table.add_markup({html::cell(shown(text_in(input, "path"))),
                         "<span class=\"hash\">" + html::text(text_in(input, "sha256")) + "</span>"});
     }
     sheet.table(table);

@@ -7,6 +7,7 @@
 
 #include "app/report/drift.h"
 #include "app/report/identification_section.h"
+#include "app/report/monte_carlo_section.h"
 #include "app/report/numbers.h"
 #include "app/report/provenance.h"
 #include "app/report/uncertainty_section.h"
@@ -25,6 +26,7 @@ std::string heading_of(const ReportedResult& result) {
   switch (result.kind) {
     case ResultKind::Identification: return "Identification: " + name;
     case ResultKind::Verification: return "Verification: " + name;
+    case ResultKind::MonteCarlo: return "Monte Carlo: " + name;
     case ResultKind::Uncertainty: break;
   }
   return "What the identified arm measures like";
@@ -37,6 +39,8 @@ void write_verdict(const ReportedResult& result, Sheet& sheet) {
     write_identification_verdict(result.json, sheet);
   } else if (result.kind == ResultKind::Verification) {
     write_verification_verdict(result.json, sheet);
+  } else if (result.kind == ResultKind::MonteCarlo) {
+    write_monte_carlo_verdict(result.json, sheet);
   }
 }
 
@@ -51,6 +55,7 @@ void write_result(const ReportedResult& result, Sheet& sheet) {
       write_circumstances(result.json, sheet);
       write_verification(result.json, sheet);
       break;
+    case ResultKind::MonteCarlo: write_monte_carlo(result.json, sheet); break;
     case ResultKind::Uncertainty: write_uncertainty(result.json, sheet); break;
   }
 }
@@ -90,7 +95,7 @@ Expected<std::string> report_html(const std::vector<ReportedResult>& results, Sc
     write_drift(results, sheet);
     write_provenance(results, sheet);
     const std::string body = html::element("main", sheet.markup());
-    return page_html({title, body, Json{{"figures", sheet.figures()}}, plots});
+    return page_html({title, body, Json{{"figures", sheet.figures()}}, plots, title});
   } catch (const std::exception&) {
     return bad_input(
         "this result lacks what every result of its kind has, or holds something else there; expected it as "

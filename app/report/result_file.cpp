@@ -21,6 +21,9 @@ std::optional<ResultKind> kind_named(const std::string& name) {
   if (name == "verification") {
     return ResultKind::Verification;
   }
+  if (name == "monte-carlo") {
+    return ResultKind::MonteCarlo;
+  }
   return name == "uncertainty" ? std::optional(ResultKind::Uncertainty) : std::nullopt;
 }
 
@@ -46,9 +49,11 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
   }
   const auto kind = kind_named(json["kind"].get<std::string>());
   if (!kind) {
-    return bad_input(fmt::format("this is a result of kind {}, expected one of identify, verify or uncertainty",
-                                 in_quotes(json["kind"].get<std::string>())),
-                     path);
+    return bad_input(
+        fmt::format(
+            "this is a result of kind {}, expected one of identify, verify or uncertainty, also with --monte-carlo",
+            in_quotes(json["kind"].get<std::string>())),
+        path);
   }
   if (json["schema_version"] != 1) {
     return bad_input("this result has a schema_version that this version of artcal does not read, expected 1", path);

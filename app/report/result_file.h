@@ -11,7 +11,7 @@
 namespace artcal {
 
 /// What a report can show.
-enum class ResultKind { Identification, Verification, Uncertainty };
+enum class ResultKind { Identification, Verification, Uncertainty, MonteCarlo };
 
 /// One result as JSON (docs/result-schema.md), and where it came from.
 struct ReportedResult {

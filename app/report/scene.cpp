@@ -164,10 +164,14 @@ Figure scene_of_verification(const Json& verification) {
   }
   return {"Where the arm was tested",
           fmt::format(
-              "Dots: conforms; crosses: does not conform; diamonds: nothing proven; open circles: not judged.{} Drag "
-              "to turn.",
+              "Squares: the features of the artefacts where they were measured, joined by lines where an artefact has "
+              "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conforms; crosses: does "
+              "not conform; diamonds: nothing proven; open circles: not judged.{} Drag to turn.",
               verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
-          {{"kind", "places"}, {"arm", arm_of(verification)}, {"places", places}},
+          {{"kind", "places"},
+           {"arm", arm_of(verification)},
+           {"artefacts", artefacts_of(verification.value("features", Json::array()))},
+           {"places", places}},
           true};
 }
 

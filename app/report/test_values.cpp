@@ -9,6 +9,7 @@
 #include "app/phrases.h"
 #include "app/report/numbers.h"
 #include "app/report/thinning.h"
+#include "app/standard_name.h"
 
 namespace artcal {
 namespace {
@@ -47,7 +48,21 @@ std::string place_in_words(const Json& place) {
   return text;
 }
 
+std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
+
 std::string u_in_words(const Json& value) { return fmt::format("{:.2f}", 1000.0 * value.at("u_mm").get<double>()); }
+
+// The largest error need not be the worst value: limits grow with the length.
+std::string where_limits_differ(const std::vector<const ValuesOfQuantity*>& lengths) {
+  std::string text;
+  for (const ValuesOfQuantity* quantity : lengths) {
+    if (quantity->worst != nullptr && !quantity->worst->at("limit_mm").is_null()) {
+      text += fmt::format("; the largest share of its limit, {}, has {} with {} µm", share_in_words(*quantity->worst),
+                          shown(quantity->quantity), value_in_words(*quantity->worst));
+    }
+  }
+  return text;
+}
 
 // All in their order, or the most severe first.
 std::vector<const Json*> rows_of(const ValuesOfQuantity& quantity) {
@@ -134,15 +149,26 @@ std::string value_in_words(const Json& value) {
   return value.at("certified_mm").is_null() ? micrometres(mm) : signed_micrometres(mm);
 }
 
+std::string share_in_words(const Json& value) {
+  return value.at("limit_mm").is_null() ? "–" : fmt::format("{:.0f} %", 100.0 * severity(value));
+}
+
 void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet) {
   html::Table table(
-      "The worst of each quantity, µm; u is the standard uncertainty of the test (k = 1)",
-      {{"quantity", false, true}, {"values"}, {"value"}, {"limit"}, {"u"}, {"verdict", false}, {"where", false}});
+      fmt::format("The worst of each quantity, µm: {}; u is the standard uncertainty of the test (k = 1)", worst_is),
+      {{"quantity", false, true},
+       {"values"},
+       {"value", true, false, false, false, true},
+       {"limit"},
+       {"share of limit"},
+       {"u"},
+       {"verdict", false, false, false, false, true},
+       {"where", false}});
   for (const ValuesOfQuantity& quantity : quantities) {
     if (quantity.worst != nullptr) {
       const Json& worst = *quantity.worst;
       table.add({shown(quantity.quantity), fmt::format("{}", quantity.values.size()), value_in_words(worst),
-                 limit_in_words(worst), u_in_words(worst), verdict_in_words(worst),
+                 limit_in_words(worst), share_in_words(worst), u_in_words(worst), verdict_in_words(worst),
                  fmt::format("{}: {}", shown(text_in(worst, "placement")), features_of(worst))});
     }
   }
@@ -178,13 +204,15 @@ void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, S
   }
   sheet.figure(
       {"Errors of length over length",
-       fmt::format("Measured less certified, {}; the largest is {} µm. {}{}", plural(count, "value"),
-                   micrometres(largest),
+       fmt::format("Measured less certified, {}; the largest is {} µm{}. {}{}", plural(count, "value"),
+                   micrometres(largest), where_limits_differ(lengths),
                    bands.empty() ? "No limit is stated."
                                  : "Dashed lines: the limits (MPE); crosses do not conform, diamonds prove nothing.",
                    drawn_count == count ? "" : fmt::format(" {} are drawn.", drawn_count)),
        {{"kind", "lengths"}, {"unit", unit.name}, {"series", series}, {"bands", bands}}});
 }
+
+void write_places_explained(Sheet& sheet) { sheet.paragraph(std::string("Octant and reach: ") + places_are); }
 
 void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
   const auto rows = rows_of(quantity);
@@ -192,28 +220,28 @@ void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
   html::Table table(fmt::format("{}: {}, µm", shown(quantity.quantity), plural(quantity.values.size(), "value")),
                     {{"placement", false, true},
                      {lengths ? "between" : "feature", false},
-                     {"repeat", false},
+                     {"repeat", false, false, false, true},
                      {"certified, mm"},
-                     {"value"},
+                     {"value", true, false, false, false, true},
                      {"limit"},
                      {"u"},
-                     {"°C"},
-                     {"verdict", false},
+                     {"°C", true, false, false, true},
+                     {"verdict", false, false, false, false, true},
                      {"octant, reach", false}});
   for (const Json* row : rows) {
     const Json& value = *row;
     const double temperature = number_in(value.at("temperature_C"));
     const std::string name = shown(text_in(value, "placement"));
-    const auto cells = {html::text(name.empty() ? "–" : name),
-                        html::text(features_of(value)),
-                        html::text(shown(text_in(value, "repeat"))),
+    const auto cells = {html::cell(or_dash(name)),
+                        html::cell(features_of(value)),
+                        html::cell(shown(or_dash(text_in(value, "repeat")))),
                         html::text(mm(number_in(value.at("certified_mm")))),
                         html::text(value_in_words(value)),
                         limit_in_words(value),
                         u_in_words(value),
                         std::isfinite(temperature) ? fmt::format("{:.2f}", temperature) : "–",
                         html::text(verdict_in_words(value)),
-                        html::text(place_in_words(value.at("place")))};
+                        html::cell(place_in_words(value.at("place")))};
     table.add_markup(cells, value.at("verdict") == "does_not_conform" ? "notable" : "");
   }
   sheet.table(table);

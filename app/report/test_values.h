@@ -13,13 +13,20 @@ namespace artcal {
 struct ValuesOfQuantity {
   std::string quantity;
   std::vector<const nlohmann::ordered_json*> values;
-  const nlohmann::ordered_json* worst = nullptr;  ///< nearest to its limit, or beyond; null where all are set aside
+  const nlohmann::ordered_json* worst = nullptr;  ///< see worst_is; null where all are set aside
 };
+
+/// Which value of a quantity is called its worst: said wherever one is shown.
+inline constexpr const char* worst_is = "the value with the largest share of its limit (without a limit, the largest)";
+
+/// "93 %": what a value uses up of its limit; "–" without a limit.
+std::string share_in_words(const nlohmann::ordered_json& value);
 
 /// Refers to `values`, which must stay. Throws std::exception where the JSON is not as the schema says.
 std::vector<ValuesOfQuantity> by_quantity(const nlohmann::ordered_json& values);
 
-/// With spaces that do not break: "✓ conforms", "✗ does not conform", …; "set aside" where it was measured again.
+/// With spaces that do not break: "✓ conforms", "✗ does not conform", …; "set aside" where it was measured
+/// again.
 std::string verdict_in_words(const nlohmann::ordered_json& value);
 
 /// Signed where the value is an error, in micrometres.
@@ -28,6 +35,8 @@ std::string value_in_words(const nlohmann::ordered_json& value);
 void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet);
 /// Errors of lengths over length with the band of their limits; nothing where no length was measured.
 void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet);
+/// What octant and reach mean in write_values().
+void write_places_explained(Sheet& sheet);
 /// Every value; of very many, all that do not conform and those nearest to their limits.
 void write_values(const ValuesOfQuantity& quantity, Sheet& sheet);
 

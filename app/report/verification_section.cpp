@@ -9,6 +9,7 @@
 #include "app/report/numbers.h"
 #include "app/report/scene.h"
 #include "app/report/test_values.h"
+#include "app/standard_name.h"
 
 namespace artcal {
 namespace {
@@ -25,7 +26,7 @@ std::size_t count_of(const Json& values, const char* verdict) {
 std::vector<std::string> texts_in(const Json& list) { return list.get<std::vector<std::string>>(); }
 
 void write_rules(const Json& result, Sheet& sheet) {
-  sheet.facts({{"Standard", shown(text_in(result, "standard"))},
+  sheet.facts({{"Standard", standard_in_words(text_in(result, "standard"))},
                {"Limits", shown(text_in(result, "specification", "none stated"))},
                {"Decision rule", text_in(result, "decision_rule")},
                {"Coordinates", result.at("tip_centres") == "reported" ? "as the arm's own software reported them"
@@ -39,10 +40,10 @@ void write_verification_verdict(const Json& result, Sheet& sheet) {
   const Json& values = result.at("values");
   const bool good = conclusion == "conformity_shown";
   const bool bad = conclusion == "non_conformity_shown";
-  std::string text =
-      fmt::format("{}: {}, {} conform, {} do not, {} prove nothing either way.", shown(text_in(result, "standard")),
-                  plural(values.size(), "value"), count_of(values, "conforms"), count_of(values, "does_not_conform"),
-                  count_of(values, "nothing_proven"));
+  std::string text = fmt::format("{}: {}, {} conform, {} do not, {} prove nothing either way.",
+                                 standard_in_words(text_in(result, "standard")), plural(values.size(), "value"),
+                                 count_of(values, "conforms"), count_of(values, "does_not_conform"),
+                                 count_of(values, "nothing_proven"));
   if (const auto not_judged = count_of(values, "not_judged"); not_judged > 0) {
     text += fmt::format(" {} were not judged.", not_judged);
   }
@@ -75,6 +76,9 @@ void write_verification(const Json& result, Sheet& sheet) {
     sheet.figure(scene_of_verification(result));
   }
   write_beside_values(result, sheet);
+  if (!quantities.empty()) {
+    write_places_explained(sheet);
+  }
   for (const ValuesOfQuantity& quantity : quantities) {
     write_values(quantity, sheet);
   }

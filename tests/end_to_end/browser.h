@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fstream>
 #include <regex>
 #include <string>
 #include <vector>
@@ -39,6 +40,43 @@ class Browsing : public Base {
       }
     }
     return opened;
+  }
+
+  /// What of the elements that match `selector` lies to the left or right of a screen of that width, and words that are
+  /// broken inside: {"shown": …, "beyond": …, "broken": …, "wider": whether the page scrolls sideways}.
+  [[nodiscard]] nlohmann::json layout(const std::string& page, const std::string& selector, int width) const {
+    std::ofstream(this->file("frame.html"))
+        << "<body style=\"margin:0\"><iframe id=\"f\" style=\"border:0;height:2000px;width:" << width << "px\" src=\""
+        << page << R"js("></iframe><p id="found"></p><script>
+      document.getElementById('f').addEventListener('load', function () {
+        const inside = this.contentDocument;
+        const found = {shown: 0, beyond: 0, broken: 0};
+        for (const table of inside.querySelectorAll('.table')) table.style.contentVisibility = 'visible';
+        for (const one of inside.querySelectorAll(')js"
+        << selector << R"js(')) {
+          const {left, right, width} = one.getBoundingClientRect();
+          found.shown += width > 0;
+          found.beyond += left < 0 || right > )js"
+        << width << R"js( || right > one.closest('.table').getBoundingClientRect().right + 1;
+          const texts = inside.createTreeWalker(one, NodeFilter.SHOW_TEXT);
+          for (let text; (text = texts.nextNode());) {
+            for (const word of text.data.matchAll(/[^\s]{1,28}/g)) {
+              const range = inside.createRange();
+              range.setStart(text, word.index);
+              range.setEnd(text, word.index + word[0].length);
+              found.broken += new Set(Array.from(range.getClientRects(), ({top}) => Math.round(top))).size > 1;
+            }
+          }
+        }
+        found.wider = inside.documentElement.scrollWidth > )js"
+        << width << R"js(;
+        document.getElementById('found').textContent = JSON.stringify(found);
+      });</script></body>)js";
+    const Opened opened = open("frame.html", {"--allow-file-access-from-files"});
+    std::smatch found;
+    EXPECT_TRUE(std::regex_search(opened.document, found, std::regex("<p id=\"found\">([^<]+)</p>")))
+        << opened.document;
+    return nlohmann::json::parse(found[1].str());
   }
 
   /// Prints a page and returns pdfinfo's words about the PDF.

@@ -48,8 +48,8 @@ class History : public testing::Browsing<testing::ArchiveTest> {
 TEST_F(History, ABumpedArmIsSeenAndAnUnchangedOneIsNot) {
   const Ended ended = run({"history", arm_, "--store", "s.sqlite"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("iso10360-12 from 2026-03-01 to 2026-06-01: no significant change of"));
-  EXPECT_THAT(ended.out, HasSubstr("iso10360-12 from 2026-06-01 to 2026-09-01: "));
+  EXPECT_THAT(ended.out, HasSubstr("ISO 10360-12:2016 from 2026-03-01 to 2026-06-01: no significant change of"));
+  EXPECT_THAT(ended.out, HasSubstr("ISO 10360-12:2016 from 2026-06-01 to 2026-09-01: "));
   EXPECT_THAT(ended.out, HasSubstr(" values changed significantly; "));
   const Json json = Json::parse(run({"history", arm_, "--store", "s.sqlite", "--json", "-"}).out);
   EXPECT_EQ(json["verifications"].size(), 3u);
@@ -101,7 +101,7 @@ TEST_F(History, EveryErrorIsThereOverTimeWithItsUncertainty) {
   const testing::Opened opened = open("history.html");
   EXPECT_THAT(opened.complaints, ::testing::IsEmpty());
   EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
-  EXPECT_THAT(opened.document, HasSubstr("✗ iso10360-12, 2026-09-01: non-conformity shown"));
+  EXPECT_THAT(opened.document, HasSubstr("✗ ISO 10360-12:2016, 2026-09-01: non-conformity shown"));
   EXPECT_EQ(count_of(opened.document, "role=\"img\" aria-label=\""), 5) << "the worst, and each of four quantities";
   EXPECT_THAT(opened.document, HasSubstr("E_Uni over time"));
 }
@@ -149,6 +149,21 @@ TEST_F(History, ASlowDriftIsSeenOverAllWhereNoStepShowsIt) {
   EXPECT_THAT(opened.complaints, ::testing::IsEmpty());
   EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
   EXPECT_THAT(opened.document, HasSubstr("Drift of parameters in arcsec"));
+}
+
+TEST_F(History, SaysFirstWhatChangedByHowMuchInLengthsAndOnWhichDay) {
+  const Ended ended = run({"history", arm_, "--store", "s.sqlite", "--report", "h.html"});
+  const std::string begin = ended.out.substr(0, ended.out.find("verification  "));
+  EXPECT_THAT(begin, HasSubstr("What changed\n  ! ISO 10360-12:2016: largest change, E_Uni "));
+  EXPECT_THAT(begin, HasSubstr("on 2026-09-01 (since 2026-06-01); 1 of 2 steps"));
+  const std::string page = text_of("h.html");
+  const std::size_t first = page.find("What changed</h3>");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_LT(first, page.find("class=\"verdict"));
+  const Ended robot = run({"history", "Franka Emika Panda", "--store", "s.sqlite"});
+  EXPECT_THAT(robot.out,
+              HasSubstr("What changed\n  - Parameters: no significant change, the largest, measured lengths by up "
+                        "to 0.0 um"));
 }
 
 TEST_F(History, TheSameReadingsTwiceAreNoChange) {

@@ -146,6 +146,56 @@ TEST_F(Report, OfAVerificationShowsVerdictAndValues) {
   EXPECT_THAT(opened.document, HasSubstr(">limit of E_Uni</text>"));
 }
 
+TEST_F(Report, OnAPhoneShowsEveryValueAndVerdictAndBreaksNoWord) {
+  take("iso10360-12");
+  ASSERT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--arm",
+                 "iso10360-12/bumped-arm.toml", "--report", "report.html", "--quiet"})
+                .exit_code,
+            1);
+  const Json answers = layout("report.html", ".answer", 390);
+  EXPECT_GE(answers["shown"], 2 * (4 + 111)) << "value and verdict of each value, and of the worst of four quantities";
+  EXPECT_EQ(answers["beyond"], 0);
+  EXPECT_EQ(answers["wider"], false);
+  for (const int width : {390, 900, 1200}) {
+    const Json cells = layout("report.html", ".table td, .table tbody th", width);
+    EXPECT_GT(cells["shown"], 500);
+    EXPECT_EQ(cells["broken"], 0) << width;
+    EXPECT_EQ(cells["beyond"], width == 390 ? cells["beyond"].get<int>() : 0) << width;
+  }
+}
+
+TEST_F(Report, NamesTheArmOnEveryPageOfPaper) {
+  take("iso10360-12");
+  ASSERT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--report", "report.html", "-q"})
+                .exit_code,
+            0);
+  std::smatch pages;
+  const std::string about = print("report.html");
+  ASSERT_TRUE(std::regex_search(about, pages, std::regex("Pages: +(\\d+)"))) << about;
+  EXPECT_GE(count(printed_text(), "Calibration report: simulated arm after Gao 2013"), std::stoul(pages[1]));
+}
+
+TEST_F(Report, OfAMonteCarloIsWritten) {
+  take("two-socket-bar");
+  ASSERT_EQ(run({"uncertainty", "two-socket-bar/recording.toml", "--monte-carlo", "--trials", "20", "--json",
+                 "result.json", "--quiet"})
+                .exit_code,
+            0);
+  report();
+  const Json result = Json::parse(text_of("result.json"));
+  const std::string page = text_of("report.html");
+  EXPECT_THAT(page, HasSubstr("Identified 20 times from readings and certificates drawn anew."));
+  std::size_t parameters = 0;
+  for (const Json& quantity : result["quantities"]) {
+    parameters += quantity["kind"] == "parameter" ? 1 : 0;
+    EXPECT_TRUE(quantity["kind"] != "parameter" ||
+                page.find(">" + quantity["name"].get<std::string>() + "<") != std::string::npos)
+        << quantity["name"];
+  }
+  EXPECT_GT(parameters, 20u);
+  EXPECT_THAT(open("report.html").complaints, IsEmpty());
+}
+
 TEST_F(Report, IsTheSameFromTheProgramAndFromItsResult) {
   take("iso10360-12");
   ASSERT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json", "result.json",

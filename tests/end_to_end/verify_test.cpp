@@ -66,6 +66,23 @@ TEST_F(Verify, ABumpedArmIsFound) {
   EXPECT_THAT(ended.out, HasSubstr("does not conform"));
 }
 
+TEST_F(Verify, AFailedTestEndsWithItsVerdict) {
+  take("iso10360-12");
+  for (const bool all : {false, true}) {
+    std::vector<std::string> command{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12",
+                                     "--arm",  "iso10360-12/bumped-arm.toml"};
+    if (all) {
+      command.push_back("--all");
+    }
+    const std::string out = run(command).out;
+    const std::size_t last = out.rfind('\n', out.size() - 2) + 1;
+    EXPECT_THAT(out.substr(last), ::testing::MatchesRegex("ISO 10360-12:2016: NON-CONFORMITY SHOWN "
+                                                          "\\([0-9]+ of 111 values do not conform\\)\n"));
+  }
+  EXPECT_THAT(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"}).out,
+              HasSubstr("octants are counted about the shoulder"));
+}
+
 TEST_F(Verify, ThePrintedLengthsAreTheWorstDozenAndWhateverDoesNotConform) {
   take("iso10360-12");
   const std::vector<std::string> verify{"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"};

@@ -21,6 +21,26 @@ TEST(HtmlText, NothingInItIsObeyed) {
 
 TEST(HtmlText, AVeryLongOneIsCut) { EXPECT_LT(html::text(std::string(1'000'000, 'x')).size(), 5000u); }
 
+TEST(HtmlCell, WordsStayWholeAndOnlyLongOnesMayBreak) {
+  EXPECT_EQ(html::cell("✗ does not conform"), "✗ does not conform");
+  EXPECT_EQ(html::cell("Messarm 06"), "Messarm 06");
+  EXPECT_EQ(html::cell(std::string(28, 'x')), std::string(28, 'x'));
+  EXPECT_EQ(html::cell("a  b "), "a  b ");
+  // A path breaks behind its slashes, a name without any sign wherever it must.
+  EXPECT_EQ(html::cell("archive/2026-03/arm 17/recording.toml"), "archive/2026-03/arm 17/recording.toml");
+  EXPECT_EQ(html::cell("archive/of-many/arms/recording.toml"),
+            "archive/<wbr>of-<wbr>many/<wbr>arms/<wbr>recording.<wbr>toml");
+  EXPECT_EQ(html::cell(std::string(29, 'x')), "<span class=\"long\">" + std::string(29, 'x') + "</span>");
+  EXPECT_EQ(html::cell("ünï∞ünï∞ünï∞ünï∞ünï∞ünï∞ünï∞"), "ünï∞ünï∞ünï∞ünï∞ünï∞ünï∞ünï∞") << "characters, not bytes";
+}
+
+TEST(HtmlCell, MarkupStaysText) {
+  const std::string cell = html::cell("<script>alert('a&b')</script><img src=\"x\">");
+  EXPECT_THAT(cell, Not(HasSubstr("<script")));
+  EXPECT_THAT(cell, Not(HasSubstr("<img")));
+  EXPECT_THAT(cell, HasSubstr("&amp;"));
+}
+
 TEST(HtmlData, NothingInItEndsTheScript) {
   const std::string written = html::data({{"name", "</script><!-- <script> ]]> & \u2028"}, {"value", 0.1}});
   for (const char* mark : {"<", ">", "&", "\u2028"}) {
@@ -39,6 +59,21 @@ TEST(HtmlTable, AColumnThatMayGoGoesWhereItSaysNothing) {
   table.add({"B", "1", "2"});
   EXPECT_THAT(table.markup(), HasSubstr("left out"));
   EXPECT_THAT(table.markup(), HasSubstr("<td class=\"number\">–</td><td class=\"number\">–</td></tr>"));
+}
+
+TEST(HtmlTable, OfManyColumnsNamesEachForANarrowScreen) {
+  html::Table narrow("Few", {{"name", false, true}, {"value"}, {"limit"}, {"u"}});
+  narrow.add({"A", "1", "2", "3"});
+  EXPECT_THAT(narrow.markup(), Not(HasSubstr("--c")));
+  html::Table wide("Many", {{"name", false, true},
+                            {"gone", true, false, false, true},
+                            {"value", true, false, false, false, true},
+                            {"limit"},
+                            {"u"},
+                            {"°C"}});
+  wide.add({"A", "–", "1", "2", "3", "20"});
+  EXPECT_THAT(wide.markup(), HasSubstr("style=\"--c2:'value';--c3:'limit';--c4:'u';--c5:'°C';\""));
+  EXPECT_THAT(wide.markup(), HasSubstr("<td class=\"number answer\">1</td>"));
 }
 
 TEST(HtmlTable, HasACaptionAHeadAndNamesItsRows) {

@@ -2,6 +2,8 @@
 #include "app/report/report.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <regex>
 #include <utility>
 
@@ -86,6 +88,118 @@ TEST(ReportOfUncertainty, IsRefusedOrWrittenWhateverIsDamaged) {
   whole["sphere_diameter"] = spread;
   whole["map"] = {{{"from_axis_mm", 100.0}, {"height_mm", 200.0}, {"u_of_a_point", spread}}};
   damage(whole, ResultKind::Uncertainty, 60);
+}
+
+Json whole_monte_carlo() {
+  Json whole = result_head("monte-carlo");
+  whole["recording"] = "three";
+  whole["arm"] = "one";
+  whole["inputs"] = {{{"path", "recording.toml"}, {"sha256", "00"}}};
+  whole["seed"] = 7;
+  whole["options"] = {{"noise", {{"reading_mm", nullptr}, {"encoder_rad", 1e-5}, {"probing_mm", 0.003}}},
+                      {"probe", "tip"},
+                      {"digits", 2}};
+  whole["model"] = "dh";
+  whole["trials"] = {{"made", 1000}, {"not_converged", 1}, {"complete", true}};
+  const auto quantity = [](const char* kind, const char* name, const Json& first_order, double u, bool differs) {
+    return Json{{"kind", kind},
+                {"name", name},
+                {"unit", "mm"},
+                {"estimate", 100.0},
+                {"u_first_order", first_order},
+                {"u", u},
+                {"interval_95", {99.9, 100.3}},
+                {"stands", true},
+                {"differs_from_first_order", differs}};
+  };
+  whole["quantities"] = {
+      quantity("parameter", "d3", 0.0311, 0.0457, true), quantity("E_Uni", "500 mm, 1", 0.003, 0.006, false),
+      quantity("E_Uni", "500 mm, 2", 0.004, 0.008, false), quantity("L_Dia", "1", nullptr, 0.009, false)};
+  whole["warnings"] = {"the bar is warm"};
+  return whole;
+}
+
+TEST(ReportOfMonteCarlo, HasTheUncertaintiesOfParametersAndMeasurands) {
+  const std::string page = report_html({reported(whole_monte_carlo())}).value();
+  for (const char* shown : {"Monte Carlo: three", "Identified 1000 times", ">d3<", ">0.031<", ">0.046<",
+                            "E_Uni, 500 mm", "⚠ the bar is warm",
+                            ">7.07<",  // µm: √((6² + 8²)/2)
+                            ">3.54<", "not linear", "parameter d3: 1.47 times the first order", "2 digits"}) {
+    EXPECT_THAT(page, HasSubstr(shown));
+  }
+}
+
+TEST(ReportOfMonteCarlo, IsRefusedOrWrittenWhateverIsDamaged) {
+  damage(whole_monte_carlo(), ResultKind::MonteCarlo, 90);
+}
+
+class PageOfVerification : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { whole_ = verified("iso10360-12", Standard::Iso10360_12); }
+  static inline Json whole_;
+};
+
+TEST_F(PageOfVerification, NamesItsStandardWithItsYear) {
+  const std::string page = report_html({reported(whole_)}).value();
+  EXPECT_THAT(page, HasSubstr("<dd>ISO 10360-12:2016</dd>"));
+  EXPECT_THAT(page, Not(HasSubstr("iso10360-12<")));
+}
+
+TEST_F(PageOfVerification, TheWorstValueIsThatWithTheLargestShareOfItsLimitAndThePageSaysSo) {
+  Json result = whole_;
+  Json length = result["values"].back();
+  result["values"] = Json::array();
+  const auto add = [&](double certified, double value, double limit) {
+    length["certified_mm"] = certified;
+    length["value_mm"] = value;
+    length["limit_mm"] = limit;
+    result["values"].push_back(length);
+  };
+  add(200.0, 0.0146, 0.0150);   // 97 % of a small limit
+  add(1200.0, 0.0157, 0.0300);  // larger, and 52 % of its own
+  const std::string page = report_html({reported(result)}).value();
+  EXPECT_THAT(page, HasSubstr("the value with the largest share of its limit"));
+  EXPECT_THAT(page, HasSubstr(">+14.6</td><td class=\"number\">15.0</td><td class=\"number\">97 %</td>"));
+  EXPECT_THAT(page, HasSubstr("the largest is 15.7 µm; the largest share of its limit, 97 %, has E_Uni with +14.6 µm"));
+}
+
+TEST_F(PageOfVerification, ExplainsOctantsOnceBeforeTheyAreUsed) {
+  const std::string page = report_html({reported(whole_)}).value();
+  const std::size_t explained = page.find("octants are counted about the shoulder");
+  ASSERT_NE(explained, std::string::npos);
+  EXPECT_LT(explained, page.find(">octant, reach<"));
+  EXPECT_EQ(page.find("octants are counted about the shoulder", explained + 1), std::string::npos);
+}
+
+TEST_F(PageOfVerification, ItsPictureShowsTheArtefacts) {
+  ASSERT_GT(whole_["features"].size(), 30u) << "two balls, and seven placements of a bar";
+  // The bar's certified lengths stand between the places of its features.
+  std::map<std::string, std::vector<double>> at;
+  for (const Json& feature : whole_["features"]) {
+    if (feature["placement"] == "1") {
+      at[feature["feature"]] = feature["at_mm"].get<std::vector<double>>();
+    }
+  }
+  ASSERT_TRUE(at.contains("A") && at.contains("F"));
+  double squares = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    squares += std::pow(at["F"][axis] - at["A"][axis], 2);
+  }
+  EXPECT_NEAR(std::sqrt(squares), 1200.0, 0.5);
+  const std::string page = report_html({reported(whole_)}).value();
+  EXPECT_THAT(page, HasSubstr("\"artefacts\":{\"dots\":{\"x\":["));
+  EXPECT_THAT(page, HasSubstr("Squares: the features of the artefacts"));
+  Json old = whole_;  // as an earlier version wrote it
+  old.erase("features");
+  EXPECT_TRUE(report_html({reported(old)}));
+}
+
+TEST_F(PageOfVerification, CarriesItsArmToEveryPageOfPaper) {
+  Json result = whole_;
+  result["arm"] = "arm \"17\"; } </style><script>alert(1)</script>";
+  const std::string page = report_html({reported(result)}).value();
+  EXPECT_THAT(page, HasSubstr("@bottom-left { content: \"Calibration report\\3a  arm \\22 17\\22 \\3b  "));
+  EXPECT_THAT(page, Not(HasSubstr("</style><script>alert")));
 }
 
 class ReportOfIdentification : public ::testing::Test {

@@ -16,14 +16,18 @@ const spaceLayout = () => layout({
   legend: {orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', itemsizing: 'constant'},
 });
 
+const artefactTraces = ({lines, dots, names}, marker) => [
+  {type: 'scatter3d', mode: 'lines', ...lines, name: 'artefacts', line: {width: 3, color: COLOURS.blue}, hoverinfo: 'skip'},
+  {
+    type: 'scatter3d', mode: 'markers', ...dots, name: 'features', text: names.map(plain), marker,
+    hovertemplate: '%{text}<br>(%{x}, %{y}, %{z}) mm<extra></extra>',
+  },
+].filter(({x}) => x.length > 0);
+
 KINDS.scene = (figure) => ({
   traces: [
     armTrace(figure.arm),
-    {type: 'scatter3d', mode: 'lines', ...figure.artefacts.lines, name: 'artefacts', line: {width: 3, color: COLOURS.blue}, hoverinfo: 'skip'},
-    {
-      type: 'scatter3d', mode: 'markers', ...figure.artefacts.dots, name: 'features', text: figure.artefacts.names.map(plain),
-      marker: {size: 2.5, color: COLOURS.blue}, hovertemplate: '%{text}<br>(%{x}, %{y}, %{z}) mm<extra></extra>',
-    },
+    ...artefactTraces(figure.artefacts, {size: 2.5, color: COLOURS.blue}),
     {
       type: 'scatter3d', mode: 'lines', ...figure.vectors, name: `errors × ${figure.enlargement}`,
       line: {width: 3, color: COLOURS.red}, hoverinfo: 'skip', connectgaps: false,
@@ -43,6 +47,7 @@ const VERDICTS = {
 KINDS.places = (figure) => ({
   traces: [
     armTrace(figure.arm),
+    ...artefactTraces(figure.artefacts, {size: 5, symbol: 'square-open', color: COLOURS.blue}),
     ...figure.places.map((group) => {
       const {name, ...marker} = VERDICTS[group.verdict] || VERDICTS.not_judged;
       return {
