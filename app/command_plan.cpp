@@ -12,10 +12,12 @@
 #include "app/phrases.h"
 #include "app/plan_result.h"
 #include "app/referenced_files.h"
+#include "app/stand_options.h"
 #include "artefacts/artefact_file.h"
 #include "artefacts/read_constraints.h"
 #include "artefacts/simulation/plan_file.h"
 #include "artefacts/simulation/possible_session.h"
+#include "core/decimal_comma.h"
 #include "core/in_quotes.h"
 #include "core/plausible.h"
 #include "core/size_limits.h"
@@ -33,6 +35,7 @@ struct Request {
   std::string measured;
   std::string encoder_noise, probing_noise;
   std::string table, picture;
+  StandOptions stand;
   PossibleSession possible{100, 20, 1};
   PlanningOptions options;
 };
@@ -104,7 +107,8 @@ Expected<double> noise_of(const std::string& text, const char* option,
                           std::optional<double> (*quantity)(std::string_view)) {
   const auto value = quantity(text);
   if (!value || !(*value > 0.0)) {
-    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit", option, in_quotes(text)));
+    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit{}", option, in_quotes(text),
+                                   decimal_comma_question(text)));
   }
   const bool is_angle = quantity == angle_quantity;
   if (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
@@ -188,6 +192,9 @@ Expected<int> plan_and_tell(const Request& request) {
   if (auto checked = check_outputs({request.common.json, request.table, request.picture}, to_be_kept); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (auto stands = request.stand.add_to(possible->plan.stand); !stands) {
+    return tl::unexpected(stands.error());
+  }
   const auto simulation = simulate(possible->plan);
   if (!simulation) {
     return tl::unexpected(simulation.error());
@@ -245,7 +252,11 @@ Run set_up_plan(CLI::App& parser) {
       ->check(CLI::Range(1, 5000));
   parser.add_option("--postures", request->possible.readings, "for an arm: possible readings of each feature in each")
       ->check(CLI::Range(1, 10'000));
-  parser.add_option("-o,--output", request->table, "table of the readings to take, with joint angles")
+  request->stand.add_to(parser);
+  parser
+      .add_option("-o,--output", request->table,
+                  "table of the readings to take: joint angles, and how the artefact stands (position and turn as in "
+                  "plan.toml)")
       ->type_name("CSV");
   parser.add_option("--picture", request->picture, "where the artefact is to stand, as SVG")->type_name("SVG");
   parser.add_option("--starts", request->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
@@ -254,7 +265,7 @@ Run set_up_plan(CLI::App& parser) {
   request->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal plan examples/ball-bar/arm.toml --artefact examples/ball-bar/bar.toml --placements 4\\\n"
-      "    --encoder-noise \"2 arcsec\" --probing-noise \"3 um\" --picture plan.svg");
+      "    --encoder-noise \"2 arcsec\" --probing-noise \"3 um\" --floor \"-700 mm\" --picture plan.svg");
   return [request] {
     request->possible.seed = request->options.seed;
     const auto done = plan_and_tell(*request);

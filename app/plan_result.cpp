@@ -1,5 +1,9 @@
 #include "app/plan_result.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "acquisition/csv_text.h"
@@ -101,6 +105,34 @@ std::string prior_text(const PlanResult& result) {
              : std::string("as the first readings of this arm");
 }
 
+// As plan.toml states it: the artefact's origin, and turns about the base's x, then y, then z.
+std::string pose_cells(const Rigid& base_from_artefact) {
+  const Eigen::Matrix3d& r = base_from_artefact.rotation;
+  const std::array turns{std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
+                         std::atan2(r(1, 0), r(0, 0))};
+  std::string text;
+  for (const double length : base_from_artefact.translation) {
+    text += fmt::format(",{:.2f}", length);
+  }
+  for (const double angle : turns) {
+    text += fmt::format(",{:.3f}", angle / units::degree);
+  }
+  return text;
+}
+
+Json length_or_null(const std::optional<double>& length) { return length ? Json(*length) : Json(nullptr); }
+
+Json stand_json(const Stand& stand) {
+  Json tables = Json::array();
+  for (const Obstacle& table : stand.tables) {
+    tables.push_back({{"x_mm", {table.x[0], table.x[1]}}, {"y_mm", {table.y[0], table.y[1]}}, {"top_mm", table.top}});
+  }
+  return {{"floor_mm", length_or_null(stand.floor)},
+          {"lowest_mm", length_or_null(stand.lowest)},
+          {"highest_mm", length_or_null(stand.highest)},
+          {"tables", tables}};
+}
+
 }  // namespace
 
 StandingEnds ends_of(const Simulation& possible, int candidate) {
@@ -118,6 +150,7 @@ Json to_json(const PlanResult& result) {
   json["goal"] = result.options.goal == Goal::Worst ? "worst" : "mean";
   json["possible_placements"] = result.possible.placements.size();
   json["possible_readings"] = result.possible.recording.readings.size();
+  json["stand"] = stand_json(result.plan.stand);
   json["measured_readings"] = result.measured_readings;
   json["free"] = Json::array();
   for (const Parameter& parameter : result.planning.free) {
@@ -155,8 +188,10 @@ std::string to_csv(const PlanResult& result) {
   for (Eigen::Index i = 0; i < recording.joints.rows(); ++i) {
     text += fmt::format(",q{}", i + 1);
   }
-  text += '\n';
-  for (const ChosenPlacement& chosen : result.planning.chosen) {
+  text +=
+      ",x_mm,y_mm,z_mm,turn_x_deg,turn_y_deg,turn_z_deg
+      ";
+      for (const ChosenPlacement& chosen : result.planning.chosen) {
     const RealPlacement& place = result.possible.placements[static_cast<std::size_t>(chosen.candidate)];
     const auto& artefact = result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified;
     for (const int reading : chosen.readings) {
@@ -165,6 +200,7 @@ std::string to_csv(const PlanResult& result) {
       for (const double q : recording.joints.col(reading)) {
         text += fmt::format(",{:.4f}", q / units::degree);
       }
+      text += pose_cells(place.base_from_artefact);
       text += '\n';
     }
   }

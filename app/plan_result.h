@@ -28,7 +28,7 @@ StandingEnds ends_of(const Simulation& possible, int candidate);
 
 nlohmann::ordered_json to_json(const PlanResult& result);
 std::string to_text(const PlanResult& result);
-/// One row for each reading to take: placement, feature, joint angles in degrees.
+/// One row for each reading to take: placement, feature, joint angles in degrees, and the pose of the artefact there.
 std::string to_csv(const PlanResult& result);
 /// Plan and elevation of the arm's reach with all possible placements and the chosen ones, as SVG.
 std::string to_picture(const PlanResult& result);

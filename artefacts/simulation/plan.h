@@ -9,6 +9,7 @@
 
 #include "acquisition/recording.h"
 #include "artefacts/artefact.h"
+#include "artefacts/simulation/stand.h"
 #include "artefacts/simulation/virtual_arm.h"
 #include "core/rigid.h"
 
@@ -100,6 +101,7 @@ struct SimulationPlan {
   bool draw_artefacts = false;  ///< the true artefacts differ from their certificates by what these allow for
   std::vector<PlannedPlacement> placements;
   std::vector<PlannedProbing> probings;
+  Stand stand;  ///< which the artefacts are held by; drawn placements keep to it, stated ones are refused beyond it
   std::uint64_t seed = 1;
 };
 

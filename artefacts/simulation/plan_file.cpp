@@ -87,6 +87,7 @@ void read_session(TomlTable& root, SimulationPlan& plan) {
   plan.arm.arm.gravity_in_base = plan.nominal.gravity_in_base;
   plan.draw_artefacts = root.truth_or("artefact_errors", false);
   read_true_features(root, plan, units);
+  read_stand(root, plan, units);
   read_placements(root, plan, units);
   read_probings(root, plan, units);
 }

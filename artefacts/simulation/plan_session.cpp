@@ -9,11 +9,24 @@
 
 #include "artefacts/simulation/plan_keys.h"
 #include "core/in_quotes.h"
+#include "core/name_list.h"
 
 namespace artcal {
 namespace {
 
 constexpr int most_points = 100'000;  // of a pattern
+
+std::vector<std::string> names_of(const auto& named) {
+  std::vector<std::string> names;
+  for (const auto& one : named) {
+    if constexpr (requires { one.certified; }) {
+      names.push_back(one.certified.name);
+    } else {
+      names.push_back(one.name);
+    }
+  }
+  return names;
+}
 
 // The artefact a table names; the only one where it names none.
 int artefact_at(TomlTable& table, const SimulationPlan& plan) {
@@ -24,14 +37,16 @@ int artefact_at(TomlTable& table, const SimulationPlan& plan) {
     }
   }
   table.fail("artefact", name.empty() ? "the table names no artefact, and there are several"
-                                      : fmt::format("there is no artefact {} in this plan", in_quotes(name)));
+                                      : fmt::format("there is no artefact {} in this plan; `artefact` can be {}",
+                                                    in_quotes(name), listed_names(names_of(plan.artefacts))));
   return 0;
 }
 
 int feature_called(TomlTable& table, std::string_view key, const std::string& name, const Artefact& artefact) {
   const int feature = artefact.feature_index(name);
   if (feature < 0) {
-    table.fail(key, fmt::format("the artefact {} has no feature {}", in_quotes(artefact.name), in_quotes(name)));
+    table.fail(key, fmt::format("the artefact {} has no feature {}; `{}` can be {}", in_quotes(artefact.name),
+                                in_quotes(name), key, listed_names(names_of(artefact.features))));
   }
   return std::max(0, feature);
 }
@@ -119,8 +134,15 @@ std::vector<int> placements_at(TomlTable& table, const SimulationPlan& plan, int
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!used[i]) {
-      table.fail("placements", fmt::format("the artefact {} has no placement {}",
-                                           in_quotes(plan.artefacts[artefact].certified.name), in_quotes(names[i])));
+      std::vector<std::string> there;
+      for (const PlannedPlacement& placement : plan.placements) {
+        if (placement.artefact == artefact) {
+          there.push_back(placement.name);
+        }
+      }
+      table.fail("placements", fmt::format("the artefact {} has no placement {}; `placements` can be {}",
+                                           in_quotes(plan.artefacts[artefact].certified.name), in_quotes(names[i]),
+                                           listed_names(there)));
     }
   }
   return found;
@@ -200,7 +222,8 @@ PlannedProbing read_probing(TomlTable table, const SimulationPlan& plan, const P
   const std::string probe = table.name_or("probe", plan.nominal.probes.front().name);
   probing.probe = probe_index(plan.nominal, probe);
   if (probing.probe < 0) {
-    table.fail("probe", fmt::format("the arm has no probe {}", in_quotes(probe)));
+    table.fail("probe", fmt::format("the arm has no probe {}; `probe` can be {}", in_quotes(probe),
+                                    listed_names(names_of(plan.nominal.probes))));
     probing.probe = 0;
   }
   read_pattern(table, probing, artefact);
@@ -248,6 +271,30 @@ void read_true_features(TomlTable& root, SimulationPlan& plan, const PlanUnits& 
       table.fail("feature",
                  "a place belongs to points, balls, planes and anchors, a normal to planes, a diameter to balls");
     }
+  }
+}
+
+void read_stand(TomlTable& root, SimulationPlan& plan, const PlanUnits& units) {
+  TomlTable table = root.table("stand");
+  const auto height = [&](std::string_view key) {
+    const auto stated = table.optional_number(key);
+    return stated ? std::optional(units.length * *stated) : std::nullopt;
+  };
+  Stand& stand = plan.stand;
+  stand.floor = height("floor");
+  stand.lowest = height("lowest");
+  stand.highest = height("highest");
+  if (stand.lowest && stand.highest && !(*stand.lowest < *stand.highest)) {
+    table.fail("highest", "`highest` is not above `lowest`, so that the stand holds nothing");
+  }
+  for (TomlTable& stated : table.tables("table")) {
+    const auto x = pair_at(stated, "x"), y = pair_at(stated, "y");
+    const double top = stated.number("top");
+    if (!x || !y || !((*x)[0] < (*x)[1]) || !((*y)[0] < (*y)[1])) {
+      stated.fail("x", "a table states `x` and `y`, each from less to more, such as x = [300, 1100], and its `top`");
+      continue;
+    }
+    stand.tables.push_back({units.length * *x, units.length * *y, units.length * top});
   }
 }
 

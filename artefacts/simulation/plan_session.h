@@ -14,6 +14,8 @@ struct PlanUnits {
 /// The tables of a plan that say what stands where and what is probed; they go into `plan`, whose arms and
 /// artefacts are known. Whatever is wrong is noted in the tables.
 void read_true_features(TomlTable& root, SimulationPlan& plan, const PlanUnits& units);
+/// `[stand]`.
+void read_stand(TomlTable& root, SimulationPlan& plan, const PlanUnits& units);
 void read_placements(TomlTable& root, SimulationPlan& plan, const PlanUnits& units);
 void read_probings(TomlTable& root, SimulationPlan& plan, const PlanUnits& units);
 

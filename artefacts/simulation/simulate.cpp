@@ -18,7 +18,8 @@
 namespace artcal {
 namespace {
 
-constexpr int most_draws = 300;  // of a placement
+constexpr int most_draws = 300;           // of a placement
+constexpr int most_held_draws = 100'000;  // of them, those that the stand does not hold among them: these cost nothing
 
 /// The readings of a placement, or the first that cannot be taken.
 struct Outcome {
@@ -83,11 +84,32 @@ Rigid drawn_pose(const Scene& scene, RandomStream& random) {
   return pose;
 }
 
+std::string not_held(const Scene& scene) {
+  std::vector<StandingFeature> standing;
+  const PlannedPlacement& placement = scene.plan.placements[scene.placement];
+  const Artefact& certified = scene.plan.artefacts[placement.artefact].certified;
+  for (std::size_t i = 0; i < scene.artefact.features.size(); ++i) {
+    const RealFeature& feature = scene.artefact.features[i];
+    if (certified.features[i].kind == FeatureKind::Coordinates) {
+      continue;  // where the tip is, not a thing that stands there
+    }
+    const bool is_ball = certified.features[i].kind == FeatureKind::Sphere;
+    standing.push_back(
+        {certified.features[i].name, scene.base_from_artefact * feature.at, is_ball ? feature.radius : 0.0});
+  }
+  return artcal::not_held(scene.plan.stand, standing);
+}
+
 Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jobs, int threads) {
   const PlannedPlacement& placement = scene.plan.placements[scene.placement];
   RandomStream random(scene.plan.seed, "placement", static_cast<std::uint64_t>(scene.placement));
-  for (int draw = 0; draw < most_draws; ++draw) {
+  int held = 0;
+  for (int draw = 0; draw < most_held_draws && held < most_draws; ++draw) {
     scene.base_from_artefact = drawn_pose(scene, random);
+    if (!not_held(scene).empty()) {
+      continue;
+    }
+    ++held;
     if (!reaches_features(scene, jobs)) {
       continue;
     }
@@ -96,13 +118,27 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
       return std::move(outcome.taken);
     }
   }
+  if (held == 0) {
+    return bad_input(fmt::format("the placement {}: none of {} places drawn in the arm's reach keeps to the limits of "
+                                 "the stand (heights, floor, tables); the last: {}",
+                                 in_quotes(placement.name), most_held_draws, not_held(scene)),
+                     placement.where);
+  }
   return bad_input(fmt::format("the placement {}: no place was found in {} draws where the arm reaches all {} points; "
                                "state a position, or ask for less",
-                               in_quotes(placement.name), most_draws, jobs.size()),
+                               in_quotes(placement.name), held, jobs.size()),
                    placement.where);
 }
 
 Expected<std::vector<Taken>> take_placed(const Scene& scene, const std::vector<Job>& jobs, int threads) {
+  if (const std::string reason = not_held(scene); !reason.empty()) {
+    const PlannedPlacement& stated = scene.plan.placements[scene.placement];
+    return bad_input(
+        fmt::format("the placement {} is not one that the stand holds: {}; state another position, or other "
+                    "limits of the stand",
+                    in_quotes(stated.name), reason),
+        stated.where);
+  }
   Outcome outcome = take_all(scene, jobs, threads);
   if (!outcome.failed) {
     return std::move(outcome.taken);

@@ -187,11 +187,12 @@ TEST_F(PlanFileTest, RefusesJointsThatCannotBe) {
 
 TEST_F(PlanFileTest, RefusesNamesThatNothingHas) {
   EXPECT_THAT(refusal("features = [\"B\"]", "features = [\"C\"]"),
-              HasSubstr("the artefact \"bar\" has no feature \"C\""));
+              HasSubstr("the artefact \"bar\" has no feature \"C\"; `features` can be \"A\""));
   EXPECT_THAT(refusal("features = [\"B\"]", "features = [\"B\", \"B\"]"), HasSubstr("\"B\" is there twice"));
   EXPECT_THAT(refusal("placements = [\"any\"]", "placements = [\"an\"]"), HasSubstr("has no placement \"an\""));
   EXPECT_THAT(refusal("\"iso25\"", "\"iso26\""), HasSubstr("the pattern is \"iso26\""));
-  EXPECT_THAT(refusal("points = 9", "artefact = \"plate\""), HasSubstr("there is no artefact \"plate\""));
+  EXPECT_THAT(refusal("points = 9", "artefact = \"plate\""),
+              HasSubstr("there is no artefact \"plate\" in this plan; `artefact` can be \"bar\""));
   EXPECT_THAT(refusal("points = 9", "probe = \"star\""), HasSubstr("the arm has no probe \"star\""));
   EXPECT_THAT(refusal("points = 9", "pints = 9"), HasSubstr("\"pints\" is not a key that is known here"));
   EXPECT_THAT(refusal("name = \"any\"", "name = \"left\\u001b[2J\""), HasSubstr("control character"));
