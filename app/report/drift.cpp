@@ -183,7 +183,7 @@ void write_test_values(const Results& results, const std::string& standard, Shee
   html::Table table(fmt::format("The worst of each quantity over time, µm: {}", worst_is),
                     {{"quantity", false, true},
                      {"when", false},
-                     {"value", true, false, false, false, true},
+                     {"value"},
                      {"limit"},
                      {"u"},
                      {"verdict", false, false, false, false, true}});
