@@ -188,10 +188,8 @@ std::string to_csv(const PlanResult& result) {
   for (Eigen::Index i = 0; i < recording.joints.rows(); ++i) {
     text += fmt::format(",q{}", i + 1);
   }
-  text +=
-      ",x_mm,y_mm,z_mm,turn_x_deg,turn_y_deg,turn_z_deg
-      ";
-      for (const ChosenPlacement& chosen : result.planning.chosen) {
+  text += ",x_mm,y_mm,z_mm,turn_x_deg,turn_y_deg,turn_z_deg\n";
+  for (const ChosenPlacement& chosen : result.planning.chosen) {
     const RealPlacement& place = result.possible.placements[static_cast<std::size_t>(chosen.candidate)];
     const auto& artefact = result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified;
     for (const int reading : chosen.readings) {
