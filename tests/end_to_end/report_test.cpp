@@ -166,9 +166,10 @@ TEST_F(Report, OnAPhoneShowsEveryValueAndVerdictAndBreaksNoWord) {
 
 TEST_F(Report, NamesTheArmOnEveryPageOfPaper) {
   take("iso10360-12");
-  ASSERT_EQ(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--report", "report.html", "-q"})
+  ASSERT_LE(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--report", "report.html", "-q"})
                 .exit_code,
-            0);
+            1)
+      << "shown or not, it is a page";
   std::smatch pages;
   const std::string about = print("report.html");
   ASSERT_TRUE(std::regex_search(about, pages, std::regex("Pages: +(\\d+)"))) << about;

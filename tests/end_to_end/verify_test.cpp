@@ -77,7 +77,7 @@ TEST_F(Verify, AFailedTestEndsWithItsVerdict) {
     const std::string out = run(command).out;
     const std::size_t last = out.rfind('\n', out.size() - 2) + 1;
     EXPECT_THAT(out.substr(last), ::testing::MatchesRegex("ISO 10360-12:2016: NON-CONFORMITY SHOWN "
-                                                          "\\([0-9]+ of 111 values do not conform\\)\n"));
+                                                          "\\([0-9]+ of 111 values do not conform[^\n]*\\)\n"));
   }
   EXPECT_THAT(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"}).out,
               HasSubstr("octants are counted about the shoulder"));
