@@ -36,33 +36,59 @@ RoundState state_of(const Eigen::Vector3d& a, const Eigen::Vector3d& c, double r
   return state;
 }
 
-// Along axis a, with (u, v) across and h along it: u² + v² = 2·u0·u + 2·v0·v + t + s·h + e·h² is linear.
-// A cylinder is s = e = 0; a cone has radius r0 + h·tan ψ, so s = 2·r0·tan ψ, and e follows.
-template <bool Tapered>
-RoundState along(const Cloud& cloud, const Eigen::Vector3d& a) {
-  constexpr int n = Tapered ? 5 : 3;
+// The axis's point abreast of the centroid, for an axis along a. With (u, v) across it and h along it,
+// u² + v² = 2·u0·u + 2·v0·v + t + s·h + e·h² is linear; a cylinder is s = e = 0. A cone has e = tan² ψ, which two rings
+// of points leave free: without it, their radii are interpolated, and the centre is the same.
+template <int Terms>
+Eigen::Vector3d centre_across(const Cloud& cloud, const Eigen::Vector3d& a) {
   const Eigen::Vector3d u = a.unitOrthogonal();
   const Eigen::Vector3d v = a.cross(u);
-  RowReducer<n + 1> reducer;
+  RowReducer<Terms + 1> reducer;
   for (Eigen::Index i = 0; i < cloud.size(); ++i) {
     const auto p = cloud.points.col(i);
     const double x = u.dot(p);
     const double y = v.dot(p);
-    Eigen::Matrix<double, 1, n + 1> row;
-    row.template head<3>() << 2.0 * x, 2.0 * y, 1.0;
-    if constexpr (Tapered) {
-      const double h = a.dot(p);
-      row.template segment<2>(3) << h, h * h;
+    const double h = a.dot(p);
+    const double powers[] = {2.0 * x, 2.0 * y, 1.0, h, h * h};
+    Eigen::Matrix<double, 1, Terms + 1> row;
+    for (int term = 0; term < Terms; ++term) {
+      row(term) = powers[term];
     }
-    row(n) = x * x + y * y;
+    row(Terms) = x * x + y * y;
     reducer.add(cloud.root_weight(i) * row);
   }
   const auto triangle = reducer.triangle();
-  const Eigen::Matrix<double, n, 1> solved =
+  const Eigen::Matrix<double, Terms, 1> solved = least_squares_solution(triangle.template topLeftCorner<Terms, Terms>(),
+                                                                        triangle.template topRightCorner<Terms, 1>());
+  return solved(0) * u + solved(1) * v;
+}
+
+// Radius and opening about a known axis: distances from it are a straight line over the height.
+template <bool Tapered>
+RoundState about(const Cloud& cloud, const Eigen::Vector3d& a, const Eigen::Vector3d& c) {
+  constexpr double least_radius = 1e-2;
+  constexpr int n = Tapered ? 2 : 1;
+  RowReducer<n + 1> reducer;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d from_axis = cloud.points.col(i) - c;
+    const double h = a.dot(from_axis);
+    Eigen::Matrix<double, 1, n + 1> row;
+    row(0) = 1.0;
+    if constexpr (Tapered) {
+      row(1) = h;
+    }
+    row(n) = (from_axis - h * a).norm();
+    reducer.add(cloud.root_weight(i) * row);
+  }
+  const auto triangle = reducer.triangle();
+  const Eigen::Matrix<double, n, 1> line =
       least_squares_solution(triangle.template topLeftCorner<n, n>(), triangle.template topRightCorner<n, 1>());
-  const double radius = std::sqrt(std::max(solved(2) + solved.template head<2>().squaredNorm(), 1e-4));
-  const double psi = Tapered ? std::atan(solved(n - 2) / (2.0 * radius)) : 0.0;
-  return state_of(a, solved(0) * u + solved(1) * v, radius, psi);
+  return state_of(a, c, std::max(line(0), least_radius), Tapered ? std::atan(line(n - 1)) : 0.0);
+}
+
+template <bool Tapered>
+RoundState along(const Cloud& cloud, const Eigen::Vector3d& a) {
+  return about<Tapered>(cloud, a, centre_across < Tapered ? 4 : 3 > (cloud, a));
 }
 
 // The paraboloid z = g0 + g1·x + g2·y + (h1·x² + 2·h2·x·y + h3·y²)/2 over the points' own plane: its two
@@ -128,7 +154,11 @@ std::vector<RoundState> best(const Cloud& cloud, int count) {
   const auto consider = [&](const RoundState& state) { all.emplace_back(cost_of<Tapered>(cloud, state), state); };
   for (int i = 0; i < net_size; ++i) {
     // In the cloud's own axes, so that turning the points turns the starts.
-    consider(along<Tapered>(cloud, cloud.axes * net_direction(i)));
+    const Eigen::Vector3d a = cloud.axes * net_direction(i);
+    consider(along<Tapered>(cloud, a));
+    if constexpr (Tapered) {
+      consider(about<Tapered>(cloud, a, centre_across<5>(cloud, a)));
+    }
   }
   for (int i = 0; i < 3; ++i) {
     consider(along<Tapered>(cloud, cloud.axes.col(i)));

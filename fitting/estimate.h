@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -45,6 +47,13 @@ inline std::optional<double> noise_of(const Cloud& cloud, const FitOptions& opti
 inline double noise_or_rounding(const Cloud& cloud, const std::optional<double>& noise) {
   return std::max(noise.value_or(0.0), cloud.rounding);
 }
+
+/// Why a round feature is not determined where the points lie far off the best one: that they lie on one circle or the
+/// like would not be true of them. Nothing where their noise is small beside the radius.
+std::optional<std::string> scatter_hides(std::string_view feature, const Cloud& cloud, double noise, double radius);
+
+/// ", as far as their noise of 0.02 mm shows"; nothing where the noise is that of rounding.
+std::string as_noise_shows(const Cloud& cloud, double noise);
 
 /// (RᵀR)⁻¹ without forming RᵀR; none if a direction is not determined. Columns are brought to length one
 /// first: they are lengths, angles and curvatures, and only their angles between each other count.

@@ -65,11 +65,11 @@ struct Move {
 
 template <typename Model>
 Move<Model> next_move(const Model& model, const typename Model::State& state, const Linearised<Model::size>& at,
-                      const Eigen::Matrix<double, Model::size, 1>& column, double damping) {
+                      const Eigen::Matrix<double, Model::size, 1>& column, double damping, bool may_trust) {
   constexpr double trustworthy = 1e-5;  // in units of the cloud's size
   Move<Model> move{damped_step<Model::size>(at, column, damping), 0.0, false};
   move.length = model.length_of(state, move.step);
-  if (move.length < trustworthy) {
+  if (may_trust && move.length < trustworthy) {
     const auto full = damped_step<Model::size>(at, column, 0.0);
     const double length = model.length_of(state, full);
     if (length < trustworthy) {
@@ -84,7 +84,8 @@ Move<Model> next_move(const Model& model, const typename Model::State& state, co
 /// `length_of(state, step)`.
 ///
 /// Ends when the steps, which shrink by a steady factor near the solution, have less than rounding left
-/// to go, or stop shrinking because rounding is all they are.
+/// to go, or stop shrinking because rounding is all they are. Where they do not shrink for long (a point at a cone's
+/// apex, whose distance has a kink there), only steps that lower the cost are taken from then on, until none does.
 template <typename Model>
 Solution<typename Model::State, Model::size> minimise(const Model& model, typename Model::State state, int max_steps) {
   constexpr double enough = 1e-15;   // of the remaining way, in units of the cloud's size
@@ -94,10 +95,12 @@ Solution<typename Model::State, Model::size> minimise(const Model& model, typena
   Solution<typename Model::State, Model::size> solution{state, at.triangle, at.cost};
   double damping = 1e-4;
   std::optional<double> last;  // the step before, once settled
+  constexpr int most_trusted = 150;
+  int trusted = 0;  // settled steps
   while (solution.status != FitStatus::Converged && solution.steps < max_steps) {
     ++solution.steps;
     column = column.cwiseMax(at.triangle.colwise().norm().transpose());
-    const auto move = next_move(model, state, at, column, damping);
+    const auto move = next_move(model, state, at, column, damping, trusted < most_trusted);
     const double ratio = last ? std::min(move.length / *last, 1.0) : 0.9;
     const bool arrived = move.length * ratio < enough * std::max(1.0 - ratio, 0.1);
     const bool noise = move.length < rounding && ratio > 0.98;
@@ -107,7 +110,9 @@ Solution<typename Model::State, Model::size> minimise(const Model& model, typena
     if (move.settled && (arrived || noise)) {
       solution.status = FitStatus::Converged;
     }
-    if (next.cost <= at.cost || (move.settled && !growing && std::isfinite(next.cost))) {
+    trusted += move.settled ? 1 : 0;
+    const bool no_worse = next.cost < at.cost || (next.cost == at.cost && trusted < most_trusted);
+    if (no_worse || (move.settled && !growing && std::isfinite(next.cost))) {
       state = next_state;
       at = next;
       damping *= 0.1;

@@ -81,10 +81,13 @@ Expected<Estimate<Sphere>> free_sphere(const Cloud& cloud, const FitOptions& opt
   const SphereModel<false> model{cloud};
   const auto solution = minimise(model, start_sphere(cloud), 200);
   const auto [estimate, unit] = estimate_of(model, solution, static_cast<int>(cloud.size()), options, sphere_of);
-  if (!unit || on_one_circle(cloud, estimate.feature, estimate.noise.value_or(0.0))) {
+  const double noise = estimate.noise.value_or(0.0);
+  if (!unit || on_one_circle(cloud, estimate.feature, noise)) {
     return no_solution(
-        "the points do not tell a sphere: they lie on one circle in one plane, which many spheres hold; "
-        "probe points out of that plane");
+        scatter_hides("sphere", cloud, noise, estimate.feature.radius)
+            .value_or(fmt::format("the points do not tell a sphere: they lie on one circle in one plane{}, "
+                                  "which many spheres hold; probe points out of that plane",
+                                  as_noise_shows(cloud, noise))));
   }
   return judged(cloud, estimate, unit);
 }

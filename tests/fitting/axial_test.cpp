@@ -20,6 +20,13 @@ Eigen::Matrix3Xd patch(double radius, double half_angle, double arc, double leng
 // As a file has it: five decimals.
 Eigen::Matrix3Xd rounded(const Eigen::Matrix3Xd& points) { return (points * 1e5).array().round() / 1e5; }
 
+Eigen::Matrix3Xd with_noise_of(Eigen::Matrix3Xd points, double noise, RandomStream& random) {
+  for (auto&& p : points.colwise()) {
+    p += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+  }
+  return points;
+}
+
 template <typename F>
 void expect_found(const Eigen::Matrix3Xd& points, const F& truth, double length, double angle) {
   const auto fitted = fit<F>(points);
@@ -154,6 +161,113 @@ TEST(AxialFit, APlaneWithNoiseIsNoCylinder) {
     EXPECT_GT(doubt, 0.05 * fitted->feature.radius);
   } else {
     EXPECT_EQ(fitted.error().code, ErrorCode::NoSolution);
+  }
+}
+
+// ---- few rings, and points where a cone has no derivative ----------------------------------------------------
+
+// Rings about the axis at distances from the apex, each turned; the apex itself, some times.
+Eigen::Matrix3Xd rings(const std::vector<double>& heights, int on_each, double half_angle, int apexes, double noise,
+                       std::uint64_t index) {
+  RandomStream random(23, "rings", index);
+  const Rigid pose{random.rotation(), {120.0, -340.0, 560.0}};
+  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(heights.size()) * on_each + apexes);
+  Eigen::Index next = 0;
+  for (const double height : heights) {
+    const double turn = random.uniform(0.0, 6.0);
+    for (int i = 0; i < on_each; ++i) {
+      const double angle = turn + 2.0 * pi * i / on_each;
+      points.col(next++) =
+          height * Eigen::Vector3d(std::tan(half_angle) * std::cos(angle), std::tan(half_angle) * std::sin(angle), 1.0);
+    }
+  }
+  points.rightCols(apexes).setZero();
+  return with_noise_of(moved(pose, points), noise, random);
+}
+
+// Eight points with noise are two more than a cone has unknowns: another one may hold them as well, and is refused.
+TEST(AxialFit, ConesOfFewRings) {
+  for (const double half_angle : {0.05, 0.3, 0.785, 1.2}) {
+    for (const auto& heights : {std::vector{10.0, 30.0}, std::vector{28.0, 30.0}, std::vector{10.0, 20.0, 30.0}}) {
+      for (const int on_each : {4, 8, 12}) {
+        for (const double noise : {0.0, 0.002}) {
+          for (std::uint64_t index = 0; index < 6; ++index) {
+            const auto fitted = fit<Cone>(rings(heights, on_each, half_angle, 0, noise, index));
+            SCOPED_TRACE(testing::Message() << half_angle << " rad, " << heights.size() << " rings of " << on_each
+                                            << " to " << heights.front() << ", noise " << noise);
+            if (!fitted && noise > 0.0 && on_each == 4) continue;
+            ASSERT_TRUE(fitted) << fitted.error().text();
+            EXPECT_NEAR(fitted->feature.half_angle, half_angle, noise == 0.0 ? 1e-9 : 0.01);
+          }
+        }
+      }
+    }
+  }
+}
+
+// The distance to a cone has a kink at its apex. What converges is right; other fits are refused or marked.
+TEST(AxialFit, ConesTouchedAtTheirApex) {
+  for (const double half_angle : {0.05, 0.3, 0.785, 1.2}) {
+    for (const int apexes : {1, 5}) {
+      for (const double noise : {0.0, 0.005}) {
+        for (std::uint64_t index = 0; index < 6; ++index) {
+          const auto fitted = fit<Cone>(rings({10.0, 20.0, 30.0}, 8, half_angle, apexes, noise, index));
+          if (fitted && fitted->status == FitStatus::Converged) {
+            EXPECT_NEAR(fitted->feature.half_angle, half_angle, noise == 0.0 ? 1e-9 : 0.01) << noise;
+          }
+        }
+      }
+    }
+  }
+}
+
+// One ring, or one ring and the apex: to first order the axis may tilt, and noise alone seems to hold it.
+TEST(AxialFit, OneRingIsNoCone) {
+  for (const double half_angle : {0.05, 0.3, 0.785, 1.2}) {
+    for (const double noise : {0.0, 1e-4, 0.01}) {
+      for (const int apexes : {0, 1}) {
+        for (std::uint64_t index = 0; index < 6; ++index) {
+          const auto fitted = fit<Cone>(rings({30.0}, 12, half_angle, apexes, noise, index));
+          EXPECT_FALSE(fitted && fitted->status == FitStatus::Converged &&
+                       std::abs(fitted->feature.half_angle - half_angle) > 0.05)
+              << half_angle << " " << noise << " " << apexes << ": " << (fitted ? fitted->feature.half_angle : 0.0);
+          if (apexes == 0) {
+            EXPECT_FALSE(fitted) << fitted->feature.half_angle;
+          }
+        }
+      }
+    }
+  }
+}
+
+// A little noise seems to hold a cylinder's axis, though hardly elsewhere than across the ring.
+TEST(AxialFit, OneRingIsNoCylinderOfAnotherAxis) {
+  for (const double noise : {0.0, 1e-4, 0.01}) {
+    for (std::uint64_t index = 0; index < 6; ++index) {
+      const Eigen::Matrix3Xd points = rings({30.0}, 12, 0.5, 0, noise, index);
+      const auto fitted = fit<Cylinder>(points);
+      EXPECT_FALSE(fitted && noise == 0.0);
+      if (fitted) {
+        const Eigen::Vector3d across =
+            (points.col(4) - points.col(0)).cross(points.col(8) - points.col(0)).normalized();
+        EXPECT_LT(fitted->feature.direction.cross(across).norm(), 0.02) << noise;
+      }
+    }
+  }
+}
+
+TEST(AxialFit, PointsOnTheAxisOfACylinder) {
+  Eigen::Matrix3Xd points(3, 42);
+  points.leftCols(40) = Shape<Cylinder>::points(40, 0.0);
+  points.col(40) = Shape<Cylinder>::truth().point;
+  points.col(41) = Shape<Cylinder>::truth().point + 3.0 * a_direction;
+  const auto fitted = fit<Cylinder>(points);
+  if (fitted) {
+    double at_truth = 0.0;
+    for (const auto& p : points.colwise()) {
+      at_truth += std::pow(signed_distance(Shape<Cylinder>::truth(), p), 2);
+    }
+    EXPECT_LE(fitted->residuals.squaredNorm(), at_truth);
   }
 }
 
