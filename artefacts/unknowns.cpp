@@ -141,34 +141,48 @@ void assign_groups(Constraints& constraints) {
   }
 }
 
-// One entry a feature of the artefact, whatever the placements.
+bool needs_errors(const FeatureConstraint& feature, const CertifiedFeature& value) {
+  return !is_free(feature) && value.at && value.u_at > 0.0;
+}
+
+bool needs_radius(const FeatureConstraint& feature, const CertifiedFeature& value) {
+  return feature.demand == Demand::OnBall && (!value.radius || value.u_radius > 0.0);
+}
+
+// One entry a feature of the artefact, whatever the placements; those of one feature are adjacent.
 void assign_shared(Constraints& constraints) {
   using Quantity = SharedUnknown::Quantity;
-  constraints.shared.clear();
-  std::map<std::pair<int, int>, int> first_errors;
-  std::map<std::pair<int, int>, int> radii;
-  for (auto& feature : constraints.features) {
+  struct Needed {
+    bool errors = false, radius = false;
+    int first = -1;  // into Constraints::shared
+  };
+  const auto key_of = [](const FeatureConstraint& feature) { return std::pair{feature.artefact, feature.feature}; };
+  std::map<std::pair<int, int>, Needed> needed;
+  for (const FeatureConstraint& feature : constraints.features) {
     const CertifiedFeature& value = certified(feature, constraints);
-    const std::pair<int, int> key{feature.artefact, feature.feature};
-    const int next = static_cast<int>(constraints.shared.size());
-    feature.first_error = feature.shared_radius = -1;
-    if (!is_free(feature) && value.at && value.u_at > 0.0) {
-      const auto [entry, is_new] = first_errors.try_emplace(key, next);
-      feature.first_error = entry->second;
-      for (const Quantity error : {Quantity::ErrorX, Quantity::ErrorY, Quantity::ErrorZ}) {
-        if (is_new) {
-          constraints.shared.push_back({key.first, key.second, error, 0.0, value.u_at});
+    Needed& of_feature = needed[key_of(feature)];
+    of_feature.errors |= needs_errors(feature, value);
+    of_feature.radius |= needs_radius(feature, value);
+  }
+  constraints.shared.clear();
+  for (FeatureConstraint& feature : constraints.features) {
+    const CertifiedFeature& value = certified(feature, constraints);
+    const auto [artefact, index] = key_of(feature);
+    Needed& of_feature = needed.at({artefact, index});
+    if (of_feature.first < 0) {
+      of_feature.first = static_cast<int>(constraints.shared.size());
+      if (of_feature.errors) {
+        for (const Quantity error : {Quantity::ErrorX, Quantity::ErrorY, Quantity::ErrorZ}) {
+          constraints.shared.push_back({artefact, index, error, 0.0, value.u_at});
         }
       }
-    }
-    if (feature.demand == Demand::OnBall && (!value.radius || value.u_radius > 0.0)) {
-      const auto [entry, is_new] = radii.try_emplace(key, static_cast<int>(constraints.shared.size()));
-      feature.shared_radius = entry->second;
-      if (is_new) {
+      if (of_feature.radius) {
         constraints.shared.push_back(
-            {key.first, key.second, Quantity::Radius, value.radius.value_or(0.0), value.radius ? value.u_radius : 0.0});
+            {artefact, index, Quantity::Radius, value.radius.value_or(0.0), value.radius ? value.u_radius : 0.0});
       }
     }
+    feature.first_error = needs_errors(feature, value) ? of_feature.first : -1;
+    feature.shared_radius = needs_radius(feature, value) ? of_feature.first + (of_feature.errors ? 3 : 0) : -1;
   }
 }
 

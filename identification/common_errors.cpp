@@ -9,19 +9,31 @@
 namespace artcal {
 namespace {
 
-/// Answers to one error that several distances share.
-struct SharedError {
-  Eigen::VectorXd sum;
-  Eigen::MatrixXd squares;
-  int count = 0;
-
-  void add(const Eigen::VectorXd& answer) {
-    sum = count == 0 ? answer : Eigen::VectorXd(sum + answer);
-    squares = count == 0 ? Eigen::MatrixXd(answer * answer.transpose())
-                         : Eigen::MatrixXd(squares + answer * answer.transpose());
-    ++count;
+/// Answers to one error that several distances share: of the shared numbers, then the arm's.
+class SharedError {
+ public:
+  void add(const Eigen::VectorXd& answer, Eigen::Index arm_size) {
+    const auto arm = answer.tail(arm_size);
+    if (sum_.size() == 0) {
+      sum_ = answer;
+      squares_ = answer.cwiseAbs2();
+      of_arm_ = arm * arm.transpose();
+    } else {
+      sum_ += answer;
+      squares_ += answer.cwiseAbs2();
+      of_arm_ += arm * arm.transpose();
+    }
   }
-  [[nodiscard]] Eigen::MatrixXd lacking() const { return sum * sum.transpose() - squares; }
+  void add_lacking_to(CommonErrors& lacking) const {
+    const Eigen::Index shared = lacking.of_shared.size();
+    const auto arm = sum_.tail(lacking.of_arm.rows());
+    lacking.of_shared += (sum_.cwiseAbs2() - squares_).head(shared);
+    lacking.of_arm += arm * arm.transpose() - of_arm_;
+  }
+
+ private:
+  Eigen::VectorXd sum_, squares_;
+  Eigen::MatrixXd of_arm_;
 };
 
 std::vector<const CertifiedDistance*> all_certified(const Constraints& constraints) {
@@ -36,15 +48,16 @@ std::vector<const CertifiedDistance*> all_certified(const Constraints& constrain
 
 }  // namespace
 
-Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit, const Recording& recording) {
+Expected<CommonErrors> common_errors(const System& system, const ArmFit& fit, const Recording& recording) {
   const Constraints& constraints = *system.constraints;
-  const NumberLayout layout = layout_of(system);
+  const NumberLayout layout = layout_of(constraints, system.arm_size());
   const int common = system.shared_size() + system.arm_size();
-  Eigen::MatrixXd lacking = Eigen::MatrixXd::Zero(common, common);
+  CommonErrors lacking{Eigen::VectorXd::Zero(system.shared_size()),
+                       Eigen::MatrixXd::Zero(system.arm_size(), system.arm_size())};
   if (constraints.binding_distance_count() == 0) {
     return lacking;
   }
-  const auto factor = ArrowFactor::of(fit.linearisation, layout);
+  const auto factor = ArrowFactor::of(fit.linearisation);
   if (!factor) {
     return tl::unexpected(factor.error());
   }
@@ -69,15 +82,16 @@ Expected<Eigen::MatrixXd> common_errors(const System& system, const ArmFit& fit,
     const Eigen::VectorXd answer =
         fit.counted.distances[d] * scale.cwiseProduct(factor->solve(slope).numbers.tail(common));
     const CertifiedDistance& certificate = *certified[certificates[d]];
-    of_certificates[certificates[d]].add(first.expansion * certificate.u * answer);
+    of_certificates[certificates[d]].add(first.expansion * certificate.u * answer, system.arm_size());
     const double u_expansion = constraints.artefacts[first.artefact].u_expansion;
     if (u_expansion > 0.0) {
-      of_expansions[first.artefact].add(certificate.value * above[distance.first] * u_expansion * answer);
+      of_expansions[first.artefact].add(certificate.value * above[distance.first] * u_expansion * answer,
+                                        system.arm_size());
     }
   }
   for (const auto* errors : {&of_certificates, &of_expansions}) {
     for (const auto& [key, error] : *errors) {
-      lacking += error.lacking();
+      error.add_lacking_to(lacking);
     }
   }
   return lacking;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/statistics.h"
+#include "identification/arrow_factor.h"
 #include "identification/rows.h"
 #include "identification/svd.h"
 
@@ -88,15 +89,12 @@ std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, cons
   return scaled * scaled.transpose();
 }
 
-std::optional<Eigen::VectorXd> shared_variances(const Linearisation& linearisation, int arm_size) {
-  if (linearisation.shared == 0) {
+std::optional<Eigen::VectorXd> shared_variances(const Linearisation& linearisation) {
+  if (linearisation.layout.arm == linearisation.layout.common) {
     return Eigen::VectorXd();
   }
-  const auto root = inverse_root(common_triangle(linearisation, arm_size));
-  if (!root) {
-    return std::nullopt;
-  }
-  return Eigen::VectorXd(root->topRows(linearisation.shared).rowwise().squaredNorm());
+  const auto factor = ArrowFactor::of(linearisation);
+  return factor ? std::optional(factor->parameter_variances()) : std::nullopt;
 }
 
 }  // namespace artcal

@@ -14,8 +14,9 @@ namespace artcal {
 /// JᵀJ). `scale` is System::scale of that linearisation. Nothing if R is singular to working precision.
 std::optional<Eigen::MatrixXd> arm_covariance(const Eigen::VectorXd& scale, const Linearisation& linearisation);
 
-/// Variances of the shared unknowns at the same solution, mm². Nothing if they or the arm are not determined.
-std::optional<Eigen::VectorXd> shared_variances(const Linearisation& linearisation, int arm_size);
+/// Variances of the artefact parameters (Constraints::shared) at the same solution, mm². Nothing if they or the arm are
+/// not determined.
+std::optional<Eigen::VectorXd> shared_variances(const Linearisation& linearisation);
 
 /// Whitened residuals at a solution.
 struct WhitenedResiduals {

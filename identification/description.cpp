@@ -37,8 +37,8 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
 }
 
 std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
-                                              const Eigen::MatrixXd& common, double enlargement) {
-  const auto variances = shared_variances(fit.linearisation, static_cast<int>(fit.scale.size()));
+                                              const CommonErrors& common, double enlargement) {
+  const auto variances = shared_variances(fit.linearisation);
   std::vector<ArtefactValue> values;
   for (std::size_t s = 0; s < constraints.shared.size() && variances; ++s) {
     const SharedUnknown& shared = constraints.shared[s];
@@ -49,7 +49,7 @@ std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, co
     const double from = radius ? 0.0 : (*feature.at)[static_cast<Eigen::Index>(shared.quantity)];
     values.push_back({artefact.name, feature.name, shared.quantity,
                       shared.u > 0.0 ? std::optional(from + shared.certified) : std::nullopt, shared.u,
-                      from + fit.unknowns.shared[i], enlargement * std::sqrt((*variances)[i] + common(i, i))});
+                      from + fit.unknowns.shared[i], enlargement * std::sqrt((*variances)[i] + common.of_shared[i])});
   }
   return values;
 }

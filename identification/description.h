@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "identification/arm_fit.h"
+#include "identification/common_errors.h"
 #include "identification/preparation.h"
 
 namespace artcal {
@@ -14,6 +15,6 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
 /// What a fit says of the numbers of the artefacts themselves; `common` from common_errors(), `enlargement` as in
 /// Identification.
 std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
-                                              const Eigen::MatrixXd& common, double enlargement);
+                                              const CommonErrors& common, double enlargement);
 
 }  // namespace artcal

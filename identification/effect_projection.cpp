@@ -1,48 +1,25 @@
 #include "identification/effect_projection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include <Eigen/QR>
-
+#include "identification/elimination.h"
 #include "identification/linearisation.h"
+#include "identification/row_stack.h"
 #include "identification/rows.h"
 
 namespace artcal {
 namespace {
 
-/// Rows of weighted residuals: their derivatives by a block's own unknowns and by what all blocks have in common, the
-/// columns of the effects, and the residuals themselves.
+/// Columns of a block's weighted rows: its nuisance unknowns, the arm's parameters, the effects, the residuals.
 struct Columns {
-  int own, common, effects;
+  int nuisance, arm, effects;
 
-  [[nodiscard]] int effects_at() const { return own + common; }
+  [[nodiscard]] int effects_at() const { return nuisance + arm; }
   [[nodiscard]] int residual_at() const { return effects_at() + effects; }
   [[nodiscard]] int all() const { return residual_at() + 1; }
 };
-
-// Takes out of the other columns all that the leading ones can explain.
-Eigen::MatrixXd without_leading(const Eigen::Ref<const Eigen::MatrixXd>& rows, int leading) {
-  Eigen::MatrixXd rest = rows.rightCols(rows.cols() - leading);
-  if (leading > 0 && rows.rows() > 0) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.leftCols(leading));
-    qr.setThreshold(1e-12);
-    const Eigen::MatrixXd explained = qr.householderQ() * Eigen::MatrixXd::Identity(rows.rows(), qr.rank());
-    rest.noalias() -= explained * (explained.transpose() * rest).eval();
-  }
-  return rest;
-}
-
-// As many rows as columns say the same as many of them.
-Eigen::MatrixXd as_few_rows(Eigen::MatrixXd rows) {
-  if (rows.rows() <= 4 * rows.cols()) {
-    return rows;
-  }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(std::move(rows));
-  return qr.matrixQR().topRows(qr.cols()).triangularView<Eigen::Upper>();
-}
 
 /// Collects the rows of a fit block by block and takes out of them what the fit explains.
 class Projection {
@@ -63,76 +40,64 @@ class Projection {
   }
 
   Searched search() && {
-    const int common = system_.shared_size() + system_.arm_size();
-    std::vector<Eigen::MatrixXd> parts;
-    Eigen::Index rows = 0;
-    int unknowns = common;
-    const auto blocks = blocks_of(*system_.constraints);
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-      unknowns += blocks[b].unknowns;
-      parts.push_back(
-          without_leading(rows_of(blocks[b], b == 0 ? none_ : fit_.unknowns.groups[b - 1]), blocks[b].unknowns));
-      rows += parts.back().rows();
+    Linearisation with_effects;
+    with_effects.layout = layout_of(*system_.constraints, system_.arm_size());
+    for (const Block& block : blocks_of(*system_.constraints)) {
+      with_effects.blocks.push_back({block.group, block.unknowns, block.parameters,
+                                     rows_of(block, block.group < 0 ? none_ : fit_.unknowns.groups[block.group])});
     }
-    Eigen::MatrixXd all(rows, common + effects_.size() + 1);
-    rows = 0;
-    for (const Eigen::MatrixXd& part : parts) {
-      all.middleRows(rows, part.rows()) = part;
-      rows += part.rows();
-    }
-    finish(as_few_rows(without_leading(all, common)));
-    searched_.degrees_of_freedom = counted_rows_ - unknowns;
+    const Eigen::MatrixXd triangle = eliminate_nuisance(with_effects, system_.arm_size() + effects_.size() + 1);
+    finish(eliminate_leading(triangle, system_.arm_size()));
+    searched_.degrees_of_freedom = counted_rows_ - static_cast<double>(with_effects.layout.size);
     return std::move(searched_);
   }
 
  private:
-  RowMatrix rows_of(const Block& block, const GroupState& group) {
+  Eigen::MatrixXd rows_of(const Block& block, const GroupState& group) {
     const Constraints& constraints = *system_.constraints;
-    const int shared = system_.shared_size();
-    const Columns columns{block.unknowns, shared + system_.arm_size(), effects_.size()};
-    RowMatrix rows = RowMatrix::Zero(row_count(block), columns.all());
-    Eigen::Index next = 0;
+    const Columns columns{block.nuisance(), system_.arm_size(), effects_.size()};
+    RowStack stack(columns.all());
+    RowMatrix rows(3, columns.all());
     for (const int f : block.features) {
       const FeatureConstraint& feature = constraints.features[f];
       const FeatureResidual residual(feature, group.reference, group.values.data(), fit_.unknowns.shared.data());
       for (int k = 0; k < feature.size(); k += every_) {
-        double* row = rows.row(next).data();
-        weighted_rows(system_, feature, fit_.counted.features[f], sweeps_, residual, k, 1,
-                      {columns.all(), row + columns.residual_at(), row + block.unknowns + shared,
-                       block.unknowns > 0 ? row : nullptr, shared > 0 ? row + block.unknowns : nullptr});
-        rows.block(next, columns.effects_at(), feature.dimension(), columns.effects) = slopes_of(f, k, residual);
-        next += feature.dimension();
+        rows.setZero();
+        double* row = rows.data();
+        weighted_rows(
+            system_, feature, fit_.counted.features[f], sweeps_, residual, k, 1,
+            {columns.all(), row + columns.residual_at(), row + columns.nuisance, block.unknowns > 0 ? row : nullptr,
+             block.parameters.size > 0 ? row + block.unknowns : nullptr, block.parameters.first});
+        const int dimension = feature.dimension();
+        rows.block(0, columns.effects_at(), dimension, columns.effects) = slopes_of(f, k, residual);
+        stack.add(rows.topRows(dimension));
+        counted_rows_ += dimension;
       }
     }
+    Eigen::RowVectorXd row(columns.all());
     for (const int d : block.distances) {
-      rows(next, columns.residual_at()) = weighted_distance(
-          constraints.distances[d], constraints, fit_.counted.distances[d], group.values.data(), rows.row(next).data());
-      ++next;
+      row.setZero();
+      row[columns.residual_at()] = weighted_distance(constraints.distances[d], constraints, fit_.counted.distances[d],
+                                                     group.values.data(), row.data());
+      stack.add(row);
+      ++counted_rows_;
     }
-    for (int s = 0; block.has_shared && s < shared; ++s) {
+    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
+      const int s = block.parameters.first + i;
       const double weight = fit_.counted.shared[s];
       if (weight > 0.0) {
-        rows(next, block.unknowns + s) = weight;
-        rows(next, columns.residual_at()) = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
-        ++next;
+        row.setZero();
+        row[block.unknowns + i] = weight;
+        row[columns.residual_at()] = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
+        stack.add(row);
+        ++counted_rows_;
       }
     }
-    counted_rows_ += static_cast<int>(next);
-    return rows.topRows(next);
+    return stack.rows();
   }
 
   [[nodiscard]] Eigen::Index looked_at(const FeatureConstraint& feature) const {
     return (feature.size() + every_ - 1) / every_;
-  }
-
-  [[nodiscard]] Eigen::Index row_count(const Block& block) const {
-    Eigen::Index count =
-        static_cast<Eigen::Index>(block.distances.size()) + (block.has_shared ? system_.shared_size() : 0);
-    for (const int f : block.features) {
-      const FeatureConstraint& feature = system_.constraints->features[f];
-      count += feature.dimension() * looked_at(feature);
-    }
-    return count;
   }
 
   // What a unit of each effect does to a reading's weighted residual.

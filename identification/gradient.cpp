@@ -22,7 +22,7 @@ GradientScratch gradient_scratch(const System& system) {
   GradientScratch scratch{blocks_of(*system.constraints), {}, Eigen::VectorXd(3 * readings_at_once)};
   int columns = 0;
   for (const Block& block : scratch.blocks) {
-    columns = std::max(columns, block.unknowns + system.shared_size() + system.arm_size() + 1);
+    columns = std::max(columns, block.nuisance() + system.arm_size() + 1);
   }
   scratch.rows.resize(3 * readings_at_once, columns);
   return scratch;
@@ -35,19 +35,20 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
   const double* shared = numbers.data() + layout.common;
   const GroupReference none;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
-  auto by_common = sum.tail(layout.size - layout.common);
+  auto by_arm = sum.tail(system.arm_size());
   Eigen::VectorXd row;
-  for (std::size_t b = 0; b < scratch.blocks.size(); ++b) {
-    const Block& block = scratch.blocks[b];
-    const Eigen::Index at = b == 0 ? 0 : layout.groups[b - 1];
+  for (const Block& block : scratch.blocks) {
+    const Eigen::Index at = block.group < 0 ? 0 : layout.groups[block.group];
+    const GroupReference& reference = block.group < 0 ? none : unknowns.groups[block.group].reference;
     const double* values = numbers.data() + at;
     auto by_group = sum.segment(at, block.unknowns);
-    const int before_arm = block.unknowns + system.shared_size();
+    auto by_parameters = sum.segment(layout.common + block.parameters.first, block.parameters.size);
+    const int before_arm = block.nuisance();
     const int columns = before_arm + system.arm_size() + 1;
     Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_at_once, columns);
     for (const int f : block.features) {
       const FeatureConstraint& feature = constraints.features[f];
-      const FeatureResidual residual(feature, b == 0 ? none : unknowns.groups[b - 1].reference, values, shared);
+      const FeatureResidual residual(feature, reference, values, shared);
       rows.leftCols(before_arm).setZero();  // each feature fills its own columns only
       for (int first = 0; first < feature.size(); first += readings_at_once) {
         const int count = std::min(readings_at_once, feature.size() - first);
@@ -55,14 +56,15 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
         weighted_rows(
             system, feature, weights.features[f], sweeps, residual, first, count,
             {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
-             system.shared_size() > 0 ? rows.data() + block.unknowns : nullptr});
+             block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
         auto r = scratch.residuals.head(used);
         r = rows.col(columns - 1).head(used);
         if (loss != Loss::None) {
           reweight(loss, feature.dimension(), weights.features[f], first, r);
         }
         by_group.noalias() += rows.topLeftCorner(used, block.unknowns).transpose() * r;
-        by_common.noalias() += rows.block(0, block.unknowns, used, columns - 1 - block.unknowns).transpose() * r;
+        by_parameters.noalias() += rows.block(0, block.unknowns, used, block.parameters.size).transpose() * r;
+        by_arm.noalias() += rows.block(0, before_arm, used, system.arm_size()).transpose() * r;
       }
     }
     row.resize(block.unknowns);
@@ -73,27 +75,30 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
           loss_reaches_distances(loss, weights) ? loss_of(loss, r * r, weights.distance_variance[d]).slope : 1.0;
       by_group += slope * r * row;
     }
-    for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
+      const int s = block.parameters.first + i;
       const double r = weighted_shared(constraints.shared[s], weights.shared[s], shared[s]);
       const double slope =
           loss_reaches_shared(loss, weights) ? loss_of(loss, r * r, weights.shared_variance[s]).slope : 1.0;
-      by_common[s] += slope * weights.shared[s] * r;
+      by_parameters[i] += slope * weights.shared[s] * r;
     }
   }
   return sum;
 }
 
-Eigen::VectorXd gradient(const Linearisation& linearisation, const NumberLayout& layout) {
+Eigen::VectorXd gradient(const Linearisation& linearisation) {
+  const NumberLayout& layout = linearisation.layout;
+  const Eigen::Index arm_size = layout.size - layout.arm;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
-  const Eigen::Index common = layout.size - layout.common;
-  for (std::size_t b = 0; b < linearisation.triangles.size(); ++b) {
-    const Eigen::MatrixXd& triangle = linearisation.triangles[b];
-    const Eigen::Index own = triangle.cols() - 1 - common;
-    const Eigen::VectorXd all = triangle.leftCols(own + common).transpose() * triangle.rightCols<1>();
-    if (own > 0) {
-      sum.segment(layout.groups[b - 1], own) += all.head(own);
+  for (const BlockRows& block : linearisation.blocks) {
+    const Eigen::VectorXd all =
+        block.rows.leftCols(block.nuisance() + arm_size).transpose() * block.rows.rightCols<1>();
+    if (block.group >= 0) {
+      sum.segment(layout.groups[block.group], block.unknowns) += all.head(block.unknowns);
     }
-    sum.tail(common) += all.tail(common);
+    sum.segment(layout.common + block.parameters.first, block.parameters.size) +=
+        all.segment(block.unknowns, block.parameters.size);
+    sum.tail(arm_size) += all.tail(arm_size);
   }
   return sum;
 }

@@ -22,6 +22,6 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
                          const Unknowns& unknowns, const Eigen::VectorXd& numbers, GradientScratch& scratch);
 
 /// The same from a linearisation at these numbers.
-Eigen::VectorXd gradient(const Linearisation& linearisation, const NumberLayout& layout);
+Eigen::VectorXd gradient(const Linearisation& linearisation);
 
 }  // namespace artcal

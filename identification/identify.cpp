@@ -92,8 +92,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.noise_is_given = options.noise.is_given();
   const Redundancy redundancy = redundancy_at(recording, constraints, *fit, preparation->free);
   judge_noise(*fit, goodness_of_fit(constraints, *fit, options.loss, redundancy), result);
-  result.covariance = result.enlargement * result.enlargement *
-                      (*covariance + common->bottomRightCorner(covariance->rows(), covariance->cols()));
+  result.covariance = result.enlargement * result.enlargement * (*covariance + common->of_arm);
   result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
     const auto described_at =

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/elimination.h"
+#include "identification/row_stack.h"
 #include "identification/rows.h"
-#include "identification/triangular_factor.h"
 
 namespace artcal {
 namespace {
@@ -31,30 +32,21 @@ double reweight(Loss loss, int dimension, const FeatureWeights& weights, int rea
 
 }  // namespace
 
-std::vector<Block> blocks_of(const Constraints& constraints) {
-  std::vector<Block> blocks(constraints.groups.size() + 1);
-  for (std::size_t g = 0; g < constraints.groups.size(); ++g) {
-    blocks[g + 1].unknowns = constraints.groups[g].size;
+int max_rows(const System& system, Loss loss, const Block& block) {
+  int rows = static_cast<int>(block.distances.size()) + (block.has_certificate ? block.parameters.size : 0);
+  for (const int f : block.features) {
+    const FeatureConstraint& feature = system.constraints->features[f];
+    rows += feature.size() * feature.dimension();
   }
-  for (int f = 0; f < static_cast<int>(constraints.features.size()); ++f) {
-    blocks[constraints.features[f].group + 1].features.push_back(f);
-  }
-  for (int d = 0; d < static_cast<int>(constraints.distances.size()); ++d) {
-    const DistanceConstraint& distance = constraints.distances[d];
-    if (distance.binds) {
-      blocks[constraints.features[distance.first].group + 1].distances.push_back(d);
-    }
-  }
-  blocks.front().has_shared = !constraints.shared.empty();
-  return blocks;
+  return std::min(rows + (loss == Loss::None ? 0 : 1), block.nuisance() + system.arm_size() + 1);
 }
 
-Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Loss loss, const Block& block,
-                               const std::vector<Sweep>& sweeps, const BlockPoint& point) {
+Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss loss, const Block& block,
+                           const std::vector<Sweep>& sweeps, const BlockPoint& point) {
   const Constraints& constraints = *system.constraints;
-  const int before_arm = block.unknowns + system.shared_size();
+  const int before_arm = block.nuisance();
   const int columns = before_arm + system.arm_size() + 1;
-  TriangularFactor factor(columns);
+  RowStack stack(columns);
   RowMatrix rows(3 * readings_at_once, columns);
   double beyond = 0.0;
   for (const int f : block.features) {
@@ -66,12 +58,12 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
       weighted_rows(
           system, feature, weights.features[f], sweeps, residual, first, count,
           {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
-           system.shared_size() > 0 ? rows.data() + block.unknowns : nullptr});
+           block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
       if (loss != Loss::None) {
         beyond +=
             reweight(loss, feature.dimension(), weights.features[f], first, rows.topRows(count * feature.dimension()));
       }
-      factor.add(rows.data(), count * feature.dimension());
+      stack.add(rows.topRows(count * feature.dimension()));
     }
   }
   RowMatrix row(1, columns);
@@ -82,21 +74,24 @@ Eigen::MatrixXd block_triangle(const System& system, const Weights& weights, Los
     if (loss_reaches_distances(loss, weights)) {
       beyond += reweight(loss, weights.distance_variance[d], row);
     }
-    factor.add(row.data(), 1);
+    stack.add(row);
   }
-  for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+  for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
+    const int s = block.parameters.first + i;
     row.setZero();
-    row(0, block.unknowns + s) = weights.shared[s];
+    row(0, block.unknowns + i) = weights.shared[s];
     row(0, columns - 1) = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
     if (loss_reaches_shared(loss, weights)) {
       beyond += reweight(loss, weights.shared_variance[s], row);
     }
-    factor.add(row.data(), 1);
+    stack.add(row);
   }
-  Eigen::MatrixXd triangle = factor.triangle();
-  double& rest = triangle(columns - 1, columns - 1);
-  rest = std::sqrt(std::max(0.0, rest * rest + beyond));  // what a loss takes off may be rounding
-  return triangle;
+  if (loss != Loss::None) {
+    row.setZero();
+    row(0, columns - 1) = std::sqrt(std::max(0.0, beyond));  // what is below zero is rounding
+    stack.add(row);
+  }
+  return stack.rows();
 }
 
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
@@ -121,7 +116,8 @@ double block_cost(const System& system, const Weights& weights, Loss loss, const
                ? loss_of(loss, residual * residual, weights.distance_variance[d]).value
                : residual * residual;
   }
-  for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+  for (int s = block.parameters.first; block.has_certificate && s < block.parameters.first + block.parameters.size;
+       ++s) {
     const double residual = weighted_shared(constraints.shared[s], weights.shared[s], point.shared[s]);
     sum += loss_reaches_shared(loss, weights) ? loss_of(loss, residual * residual, weights.shared_variance[s]).value
                                               : residual * residual;
@@ -131,48 +127,44 @@ double block_cost(const System& system, const Weights& weights, Loss loss, const
 
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const Arm& arm,
                         const Unknowns& unknowns) {
+  return linearise(system, weights, loss, blocks_of(*system.constraints), arm, unknowns);
+}
+
+Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
+                        const Arm& arm, const Unknowns& unknowns) {
   const auto sweeps = sweeps_of(system, arm);
-  const auto blocks = blocks_of(*system.constraints);
+  const GroupState none;
   Linearisation result;
-  result.shared = system.shared_size();
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const GroupState none;
-    const GroupState& group = b == 0 ? none : unknowns.groups[b - 1];
-    result.triangles.push_back(block_triangle(system, weights, loss, blocks[b], sweeps,
-                                              {group.reference, group.values.data(), unknowns.shared.data()}));
+  result.layout = layout_of(*system.constraints, system.arm_size());
+  for (const Block& block : blocks) {
+    const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
+    result.blocks.push_back({block.group, block.unknowns, block.parameters,
+                             block_rows(system, weights, loss, block, sweeps,
+                                        {group.reference, group.values.data(), unknowns.shared.data()})});
   }
   return result;
 }
 
-Eigen::MatrixXd common_triangle(const Linearisation& linearisation, int arm_size) {
-  const int common = linearisation.shared + arm_size;
-  TriangularFactor factor(common);
-  for (const Eigen::MatrixXd& triangle : linearisation.triangles) {
-    const auto unknowns = static_cast<int>(triangle.cols()) - 1 - common;
-    factor.add(eliminate_leading(triangle.topLeftCorner(unknowns + common, unknowns + common), unknowns));
-  }
-  return factor.triangle();
-}
-
 Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size) {
-  return eliminate_leading(common_triangle(linearisation, arm_size), linearisation.shared);
+  return eliminate_nuisance(linearisation, arm_size);
 }
 
 Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept) {
   Linearisation result;
-  result.shared = linearisation.shared;
-  for (const Eigen::MatrixXd& triangle : linearisation.triangles) {
-    const Eigen::Index unknowns = triangle.cols() - 1 - arm_size;
-    const auto size = static_cast<Eigen::Index>(kept.size());
-    Eigen::MatrixXd chosen(triangle.rows(), unknowns + size + 1);
-    chosen.leftCols(unknowns) = triangle.leftCols(unknowns);
+  const auto size = static_cast<Eigen::Index>(kept.size());
+  result.layout = linearisation.layout;
+  result.layout.size += size - arm_size;
+  for (const BlockRows& block : linearisation.blocks) {
+    const Eigen::Index before_arm = block.nuisance();
+    Eigen::MatrixXd chosen(block.rows.rows(), before_arm + size + 1);
+    chosen.leftCols(before_arm) = block.rows.leftCols(before_arm);
     for (Eigen::Index i = 0; i < size; ++i) {
-      chosen.col(unknowns + i) = triangle.col(unknowns + kept[i]);
+      chosen.col(before_arm + i) = block.rows.col(before_arm + kept[i]);
     }
-    chosen.rightCols<1>() = triangle.rightCols<1>();
-    TriangularFactor factor(static_cast<int>(chosen.cols()));
-    factor.add(chosen);
-    result.triangles.push_back(factor.triangle());
+    chosen.rightCols<1>() = block.rows.rightCols<1>();
+    RowStack stack(static_cast<int>(chosen.cols()));
+    stack.add(chosen);
+    result.blocks.push_back({block.group, block.unknowns, block.parameters, stack.rows()});
   }
   return result;
 }

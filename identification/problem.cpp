@@ -1,66 +1,100 @@
 #include "identification/problem.h"
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 
+#include "identification/elimination.h"
+#include "identification/row_stack.h"
 #include "identification/rows.h"
-#include "identification/triangular_factor.h"
 
 namespace artcal {
 namespace {
 
-/// One block of the linearisation as a Ceres cost. Parameter blocks: what all blocks have in common (the
-/// shared unknowns, then the arm's x) and, where there are any, the group's unknowns. Residuals and Jacobian
-/// are the triangle's last column and the others: cost, gradient and normal matrix are those of all the rows
-/// behind them. Where only the cost is wanted, its root stands in the last residual.
+// Unknowns that remain after the elimination: beyond, their matrix is sparse enough to be treated as such.
+constexpr int most_dense = 300;
+
+/// Sweeps at the arm's x that was asked for last: Ceres evaluates all blocks at one x before it goes on.
+class SweepsAt {
+ public:
+  explicit SweepsAt(const System& system) : system_(system) {}
+  const std::vector<Sweep>& operator()(const double* x) {
+    const auto at = Eigen::VectorXd::Map(x, system_.arm_size());
+    if (sweeps_.empty() || at != x_) {
+      x_ = at;
+      sweeps_ = sweeps_of(system_, system_.arm_at(x));
+    }
+    return sweeps_;
+  }
+
+ private:
+  const System& system_;
+  Eigen::VectorXd x_;
+  std::vector<Sweep> sweeps_;
+};
+
+/// One block of the linearisation as a Ceres cost. Parameter blocks: the arm's x, where there are any the group's
+/// unknowns and the artefact parameters. Residuals and Jacobian are the last column of BlockRows and the others: cost,
+/// gradient and normal matrix are those of all the readings behind them. Where only the cost is wanted, its root stands
+/// in the first residual.
 class BlockCost final : public ceres::CostFunction {
  public:
   BlockCost(const System& system, const Weights& weights, Loss loss, Block block, GroupReference reference,
-            const Eigen::MatrixXd* at_start, Eigen::MatrixXd& triangle)
+            const double* shared, SweepsAt& sweeps, const Eigen::MatrixXd* at_start, BlockRows& rows)
       : system_(system),
         weights_(weights),
         loss_(loss),
         block_(std::move(block)),
         reference_(std::move(reference)),
+        shared_(shared),
+        sweeps_(sweeps),
         at_start_(at_start),
-        triangle_(triangle) {
-    const int common = system.shared_size() + system.arm_size();
-    set_num_residuals(block_.unknowns + common + 1);
-    mutable_parameter_block_sizes()->push_back(common);
-    if (block_.unknowns > 0) {
-      mutable_parameter_block_sizes()->push_back(block_.unknowns);
+        rows_(rows) {
+    set_num_residuals(max_rows(system, loss, block_));
+    for (const int size : {system.arm_size(), block_.unknowns, block_.parameters.size}) {
+      if (size > 0) {
+        mutable_parameter_block_sizes()->push_back(size);
+      }
     }
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const BlockPoint point{reference_, block_.unknowns > 0 ? parameters[1] : nullptr, parameters[0]};
-    const double* x = parameters[0] + system_.shared_size();
+    int next = 0;
+    const double* x = system_.arm_size() > 0 ? parameters[next++] : nullptr;
+    const double* values = block_.unknowns > 0 ? parameters[next++] : nullptr;
+    // Entries of other features are not looked at.
+    const double* shared = block_.parameters.size > 0 ? parameters[next] - block_.parameters.first : shared_;
+    const BlockPoint point{reference_, values, shared};
     Eigen::Map<Eigen::VectorXd> out(residuals, num_residuals());
+    out.setZero();
     if (jacobians == nullptr) {
-      const auto sweeps = sweeps_of(system_, system_.arm_at(x));
-      out.setZero();
-      out[out.size() - 1] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps, point));
+      out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps_(x), point));
       return true;
     }
     if (at_start_ != nullptr) {
-      triangle_ = *at_start_;  // Ceres evaluates first where it starts
+      rows_.rows = *at_start_;  // Ceres evaluates first where it starts
       at_start_ = nullptr;
     } else {
-      const auto sweeps = sweeps_of(system_, system_.arm_at(x));
-      triangle_ = block_triangle(system_, weights_, loss_, block_, sweeps, point);
+      rows_.rows = block_rows(system_, weights_, loss_, block_, sweeps_(x), point);
     }
-    out = triangle_.rightCols<1>();
-    const int common = parameter_block_sizes().front();
-    if (jacobians[0] != nullptr) {
-      Eigen::Map<RowMatrix>(jacobians[0], out.size(), common) = triangle_.middleCols(block_.unknowns, common);
-    }
-    if (block_.unknowns > 0 && jacobians[1] != nullptr) {
-      Eigen::Map<RowMatrix>(jacobians[1], out.size(), block_.unknowns) = triangle_.leftCols(block_.unknowns);
-    }
+    const Eigen::MatrixXd& rows = rows_.rows;
+    out.head(rows.rows()) = rows.rightCols<1>();
+    next = 0;
+    const auto put = [&](int first, int size) {
+      if (size > 0 && jacobians[next] != nullptr) {
+        Eigen::Map<RowMatrix> jacobian(jacobians[next], out.size(), size);
+        jacobian.topRows(rows.rows()) = rows.middleCols(first, size);
+        jacobian.bottomRows(out.size() - rows.rows()).setZero();
+      }
+      next += size > 0 ? 1 : 0;
+    };
+    put(block_.nuisance(), system_.arm_size());
+    put(0, block_.unknowns);
+    put(block_.unknowns, block_.parameters.size);
     return true;
   }
 
@@ -70,8 +104,10 @@ class BlockCost final : public ceres::CostFunction {
   Loss loss_;
   Block block_;
   GroupReference reference_;
+  const double* shared_;
+  SweepsAt& sweeps_;
   mutable const Eigen::MatrixXd* at_start_;
-  Eigen::MatrixXd& triangle_;  // the last one evaluated: at the end, the solution's
+  BlockRows& rows_;  // the last evaluated: at the end, the solution's
 };
 
 // Trust regions above this leave the Gauss-Newton step as it is.
@@ -79,39 +115,35 @@ constexpr double undamped = 1e8;
 // Steps that may fail in a row before Ceres gives up: from the region we begin with down to one that damps any system.
 constexpr int max_invalid_steps = 20;
 
-/// Pseudo-observations of the arm's steps, each with its weight; the artefact parameters before them have none.
+/// Pseudo-observations of the arm's steps, each with its weight.
 class PriorCost final : public ceres::CostFunction {
  public:
-  PriorCost(const SolveOptions& options, int shared_size)
+  explicit PriorCost(const SolveOptions& options)
       : weights_(options.prior_weights),
-        at_(options.prior_at.size() > 0 ? options.prior_at : Eigen::VectorXd::Zero(weights_.size())),
-        shared_size_(shared_size) {
+        at_(options.prior_at.size() > 0 ? options.prior_at : Eigen::VectorXd::Zero(weights_.size())) {
     set_num_residuals(static_cast<int>(weights_.size()));
-    mutable_parameter_block_sizes()->push_back(shared_size + num_residuals());
+    mutable_parameter_block_sizes()->push_back(num_residuals());
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto x = Eigen::VectorXd::Map(parameters[0] + shared_size_, weights_.size());
+    const auto x = Eigen::VectorXd::Map(parameters[0], weights_.size());
     Eigen::VectorXd::Map(residuals, weights_.size()) = weights_.cwiseProduct(x - at_);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
-      Eigen::Map<RowMatrix> slope(jacobians[0], weights_.size(), shared_size_ + weights_.size());
-      slope.setZero();
-      slope.rightCols(weights_.size()).diagonal() = weights_;
+      Eigen::Map<RowMatrix>(jacobians[0], weights_.size(), weights_.size()) = weights_.asDiagonal();
     }
     return true;
   }
 
-  /// The rows for the triangle of [shared unknowns | arm | residual] at x.
+  /// The rows of [arm | residual] at x.
   [[nodiscard]] Eigen::MatrixXd rows(const Eigen::VectorXd& x) const {
-    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(weights_.size(), shared_size_ + weights_.size() + 1);
-    all.middleCols(shared_size_, weights_.size()).diagonal() = weights_;
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(weights_.size(), weights_.size() + 1);
+    all.leftCols(weights_.size()).diagonal() = weights_;
     all.rightCols<1>() = weights_.cwiseProduct(x - at_);
     return all;
   }
 
  private:
   Eigen::VectorXd weights_, at_;
-  int shared_size_;
 };
 
 /// Stops where a step moves nothing that matters, in the solver's physical units. Ceres' own tolerances are relative to
@@ -152,38 +184,67 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
 }
 
-/// The solver's numbers in one piece of memory: the groups' unknowns, then the shared ones and the arm's x.
+/// The solver's numbers in one piece of memory, as NumberLayout has them.
 /// Ceres orders parameter blocks of one elimination group by address; one piece makes that the order of the
 /// groups, whatever the heap looks like, and so the sums and their bits the same on every run.
 class Numbers {
  public:
-  Numbers(const Eigen::VectorXd& x, const Unknowns& unknowns) {
-    for (const GroupState& group : unknowns.groups) {
-      append(group.values);
+  Numbers(const NumberLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
+      : layout_(layout), all_(layout.size) {
+    for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
+      all_.segment(layout.groups[g], unknowns.groups[g].values.size()) = unknowns.groups[g].values;
     }
-    append(unknowns.shared);
-    all_.insert(all_.end(), x.begin(), x.end());
+    all_.segment(layout.common, unknowns.shared.size()) = unknowns.shared;
+    all_.tail(x.size()) = x;
   }
-  double* group(std::size_t index) { return all_.data() + starts_[index]; }
-  double* common() { return group(starts_.size() - 1); }
+  double* group(int index) { return all_.data() + layout_.groups[index]; }
+  double* shared() { return all_.data() + layout_.common; }
+  double* x() { return all_.data() + layout_.arm; }
 
   void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
     for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
       auto& values = unknowns.groups[g].values;
-      values = Eigen::VectorXd::Map(group(g), values.size());
+      values = Eigen::VectorXd::Map(group(static_cast<int>(g)), values.size());
     }
-    unknowns.shared = Eigen::VectorXd::Map(common(), unknowns.shared.size());
-    x_out = Eigen::VectorXd::Map(common() + unknowns.shared.size(), x_out.size());
+    unknowns.shared = Eigen::VectorXd::Map(shared(), unknowns.shared.size());
+    x_out = Eigen::VectorXd::Map(x(), x_out.size());
   }
 
  private:
-  void append(const Eigen::VectorXd& values) {
-    starts_.push_back(all_.size());
-    all_.insert(all_.end(), values.begin(), values.end());
-  }
-  std::vector<double> all_;
-  std::vector<std::size_t> starts_;
+  const NumberLayout& layout_;
+  Eigen::VectorXd all_;
 };
+
+// The leaves of all components are eliminated first; what remains is solved for densely where it is small.
+void choose_linear_solver(const std::vector<BlockRows>& blocks, int arm_size, Numbers& numbers,
+                          ceres::Solver::Options& options) {
+  options.linear_solver_type = ceres::DENSE_QR;
+  if (blocks.size() < 2) {
+    return;
+  }
+  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+  int left = arm_size;
+  if (arm_size > 0) {
+    ordering->AddElementToGroup(numbers.x(), 1);
+  }
+  std::map<int, int> size_of_group;
+  for (const BlockRows& block : blocks) {
+    size_of_group[block.group] = block.unknowns;
+  }
+  for (const Component& component : components_of(blocks)) {
+    for (const int group : component.groups) {
+      ordering->AddElementToGroup(numbers.group(group), component.groups_are_leaves ? 0 : 1);
+      left += component.groups_are_leaves ? 0 : size_of_group[group];
+    }
+    for (const FeatureParameters& parameters : component.parameters) {
+      ordering->AddElementToGroup(numbers.shared() + parameters.first, component.groups_are_leaves ? 1 : 0);
+      left += component.groups_are_leaves ? parameters.size : 0;
+    }
+  }
+  options.linear_solver_type = left <= most_dense ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+  options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+  options.linear_solver_ordering = ordering;
+}
 
 }  // namespace
 
@@ -192,45 +253,54 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   Solution solution;
   solution.x = x_start;
   solution.unknowns = std::move(start);
-  Numbers numbers(solution.x, solution.unknowns);
   const auto blocks = blocks_of(*system.constraints);
-  solution.linearisation.shared = system.shared_size();
-  solution.linearisation.triangles.resize(blocks.size());
+  Linearisation& linearisation = solution.linearisation;
+  linearisation.layout = layout_of(*system.constraints, system.arm_size());
+  Numbers numbers(linearisation.layout, solution.x, solution.unknowns);
+  for (const Block& block : blocks) {
+    linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, {}});
+  }
+  SweepsAt sweeps(system);
   ceres::Problem problem;
   ceres::Solver::Options ceres_options = solver_options(options);
   StopWhenStill stop_when_still(options.still);
   ceres_options.callbacks.push_back(&stop_when_still);
-  ceres_options.linear_solver_type = ceres::DENSE_QR;
-  if (blocks.size() > 1) {
-    ceres_options.linear_solver_type = ceres::DENSE_SCHUR;
-    ceres_options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-    ceres_options.linear_solver_ordering->AddElementToGroup(numbers.common(), 1);
-  }
+  choose_linear_solver(linearisation.blocks, system.arm_size(), numbers, ceres_options);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    GroupReference reference;
-    std::vector<double*> parameter_blocks{numbers.common()};
-    if (b > 0) {
-      reference = solution.unknowns.groups[b - 1].reference;
-      parameter_blocks.push_back(numbers.group(b - 1));
-      ceres_options.linear_solver_ordering->AddElementToGroup(numbers.group(b - 1), 0);
+    const Block& block = blocks[b];
+    if (max_rows(system, options.loss, block) == 0) {
+      linearisation.blocks[b].rows.resize(0, block.nuisance() + system.arm_size() + 1);
+      continue;
     }
-    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, blocks[b], std::move(reference),
-                                            at_start == nullptr ? nullptr : &at_start->triangles[b],
-                                            solution.linearisation.triangles[b]);
+    std::vector<double*> parameter_blocks;
+    if (system.arm_size() > 0) {
+      parameter_blocks.push_back(numbers.x());
+    }
+    if (block.unknowns > 0) {
+      parameter_blocks.push_back(numbers.group(block.group));
+    }
+    if (block.parameters.size > 0) {
+      parameter_blocks.push_back(numbers.shared() + block.parameters.first);
+    }
+    const GroupReference reference =
+        block.group < 0 ? GroupReference{} : solution.unknowns.groups[block.group].reference;
+    auto cost =
+        std::make_unique<BlockCost>(system, weights, options.loss, block, reference, numbers.shared(), sweeps,
+                                    at_start == nullptr ? nullptr : &at_start->blocks[b].rows, linearisation.blocks[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   if (options.prior_weights.size() > 0) {
-    problem.AddResidualBlock(new PriorCost(options, system.shared_size()), nullptr, numbers.common());
+    problem.AddResidualBlock(new PriorCost(options), nullptr, numbers.x());
   }
   ceres::Solver::Summary summary;
   ceres::Solve(ceres_options, &problem, &summary);
   numbers.copy_to(solution.x, solution.unknowns);
   if (options.prior_weights.size() > 0 && summary.IsSolutionUsable()) {
-    Eigen::MatrixXd& triangle = solution.linearisation.triangles.front();
-    TriangularFactor factor(static_cast<int>(triangle.cols()));
-    factor.add(triangle);
-    factor.add(PriorCost(options, system.shared_size()).rows(solution.x));
-    triangle = factor.triangle();
+    Eigen::MatrixXd& rows = linearisation.blocks.front().rows;  // those without nuisance unknowns
+    RowStack stack(static_cast<int>(rows.cols()));
+    stack.add(rows);
+    stack.add(PriorCost(options).rows(solution.x));
+    rows = stack.rows();
   }
   solution.termination = termination_of(summary);
   solution.iterations = static_cast<int>(summary.iterations.size()) - 1;

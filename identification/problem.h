@@ -37,11 +37,11 @@ struct Solution {
 };
 
 /// Least squares over the free parameters and all unknowns, by Ceres with analytic Jacobians: Levenberg-
-/// Marquardt that begins as Gauss-Newton. The unknowns of each group are eliminated by Schur complement.
-/// A residual block is a whole group of unknowns with all its readings, compressed to a triangle
-/// (Linearisation): Ceres sees tens of rows where there are thousands of readings. One thread: sums keep
-/// their order, and so the result its bits.
-/// `at_start` may hold the linearisation at the start, if it is known already.
+/// Marquardt that begins as Gauss-Newton. Groups of unknowns and artefact parameters are eliminated by Schur
+/// complement, whichever side of an artefact leaves the smaller system (Component). A residual block is a Block with
+/// all its readings, compressed (BlockRows): Ceres sees tens of rows where there may be thousands of readings. One
+/// thread: sums keep their order, and so the result its bits. `at_start` may hold the linearisation at the start, if it
+/// is known already.
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
                const SolveOptions& options = {}, const Linearisation* at_start = nullptr);
 

@@ -1,8 +1,10 @@
 #include "identification/redundancy.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "identification/arrow_factor.h"
+#include "identification/fit_spread.h"
 #include "identification/rows.h"
 
 namespace artcal {
@@ -21,30 +23,24 @@ bool all_count(const LossWeights& weights) {
 class Checking {
  public:
   Checking(const System& system, const Linearisation& linearisation)
-      : arm_size_(system.arm_size()), factor_(ArrowFactor::of(linearisation, layout_of(system))) {}
+      : arm_size_(system.arm_size()), factor_(ArrowFactor::of(linearisation)) {}
+  Checking(const Checking&) = delete;  // spread_ refers to factor_
+  Checking& operator=(const Checking&) = delete;
 
   /// For loss weights that are not all 1: `squared` is the linearisation with rows multiplied by them, so that its RᵀR
   /// is AᵀW²A.
   void set_squared(const Linearisation& squared) {
-    if (!factor_) {
-      return;
-    }
-    for (std::size_t b = 0; b < squared.triangles.size(); ++b) {
-      const Eigen::MatrixXd& triangle = squared.triangles[b];
-      rows_.emplace_back(triangle.leftCols(triangle.cols() - 1));
-      const Eigen::MatrixXd follow = factor_->following(b);
-      const Eigen::MatrixXd with_common = rows_[b].leftCols(follow.rows()) * follow + rows_[b].rightCols(follow.cols());
-      by_common_.emplace_back(with_common.transpose() * with_common);
-      all_by_common_ = b == 0 ? by_common_[b] : Eigen::MatrixXd(all_by_common_ + by_common_[b]);
+    if (factor_) {
+      spread_.emplace(*factor_, squared, arm_size_);
     }
   }
 
   /// Of observations of `dimension` rows each, one below the other; `weight(i)` is the i-th one's.
   template <typename Weight>
-  void append(std::size_t block, const Eigen::Ref<const Eigen::MatrixXd>& rows, int dimension, Weight&& weight,
+  void append(const Block& block, const Eigen::Ref<const Eigen::MatrixXd>& rows, int dimension, Weight&& weight,
               std::vector<Check>& checks) const {
     const Eigen::MatrixXd half = factor_ ? factor_->half_solved(block, rows) : Eigen::MatrixXd();
-    const Eigen::MatrixXd solved = factor_ && !rows_.empty() ? factor_->solved(block, half) : Eigen::MatrixXd();
+    const Eigen::MatrixXd solved = factor_ && spread_ ? factor_->fully_solved(block, half) : Eigen::MatrixXd();
     for (Eigen::Index i = 0; i * dimension < rows.rows(); ++i) {
       Check& check = checks.emplace_back(Check{1.0, static_cast<double>(dimension)});
       if (!factor_) {
@@ -55,7 +51,7 @@ class Checking {
       const Eigen::MatrixXd hat = own.transpose() * own;
       const Eigen::MatrixXd covariance =
           Eigen::MatrixXd::Identity(dimension, dimension) - 2.0 * w * hat +
-          (rows_.empty() ? hat : spread_of_the_fit(block, solved.middleCols(i * dimension, dimension)));
+          (spread_ ? spread_->of(block, solved.middleCols(i * dimension, dimension)) : hat);
       const double trace = covariance.trace();
       check.variance = std::max(0.0, trace / dimension);
       const double square = covariance.squaredNorm();
@@ -66,18 +62,9 @@ class Checking {
   }
 
  private:
-  // A C AᵀW²A C Aᵀ of an observation with the columns C Aᵀ, those of its block's unknowns and the common ones.
-  [[nodiscard]] Eigen::MatrixXd spread_of_the_fit(std::size_t block, const Eigen::MatrixXd& solved) const {
-    const Eigen::MatrixXd own = rows_[block] * solved;
-    const auto common = solved.bottomRows(all_by_common_.rows());
-    return own.transpose() * own + common.transpose() * (all_by_common_ - by_common_[block]) * common;
-  }
-
   int arm_size_;
   Expected<ArrowFactor> factor_;
-  std::vector<Eigen::MatrixXd> rows_;       // of each block, their RᵀR being AᵀW²A
-  std::vector<Eigen::MatrixXd> by_common_;  // the same by the common ones, which the block's unknowns follow
-  Eigen::MatrixXd all_by_common_;
+  std::optional<FitSpread> spread_;
 };
 
 }  // namespace
@@ -145,10 +132,10 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
   Redundancy redundancy;
   redundancy.readings.resize(constraints.features.size());
   redundancy.distances.resize(constraints.distances.size());
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Block& block = blocks[b];
-    const GroupState& group = b == 0 ? none : unknowns.groups[b - 1];
-    const int before_arm = block.unknowns + system.shared_size();
+  redundancy.shared.resize(constraints.shared.size());
+  for (const Block& block : blocks) {
+    const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
+    const int before_arm = block.nuisance();
     const int columns = before_arm + system.arm_size() + 1;
     RowMatrix rows(3 * readings_at_once, columns);
     for (const int f : block.features) {
@@ -160,26 +147,29 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
         weighted_rows(
             system, feature, weights.features[f], sweeps, residual, first, count,
             {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
-             system.shared_size() > 0 ? rows.data() + block.unknowns : nullptr});
+             block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
         checking.append(
-            b, rows.topLeftCorner(count * feature.dimension(), columns - 1), feature.dimension(),
+            block, rows.topLeftCorner(count * feature.dimension(), columns - 1), feature.dimension(),
             [&](std::size_t i) { return counted.readings[f][static_cast<std::size_t>(first) + i]; },
             redundancy.readings[f]);
       }
     }
+    const auto check_of = [&](const RowMatrix& row, double weight) {
+      std::vector<Check> one;
+      checking.append(
+          block, row, 1, [&](std::size_t) { return weight; }, one);
+      return one.front();
+    };
     for (const int d : block.distances) {
       RowMatrix row = RowMatrix::Zero(1, columns - 1);
       weighted_distance(constraints.distances[d], constraints, weights.distances[d], group.values.data(), row.data());
-      std::vector<Check> one;
-      checking.append(
-          b, row, 1, [&](std::size_t) { return counted.distances[d]; }, one);
-      redundancy.distances[d] = one.front();
+      redundancy.distances[d] = check_of(row, counted.distances[d]);
     }
-    for (int s = 0; block.has_shared && s < system.shared_size(); ++s) {
+    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
+      const int s = block.parameters.first + i;
       RowMatrix row = RowMatrix::Zero(1, columns - 1);
-      row(0, block.unknowns + s) = weights.shared[s];
-      checking.append(
-          b, row, 1, [&](std::size_t) { return counted.shared[s]; }, redundancy.shared);
+      row(0, block.unknowns + i) = weights.shared[s];
+      redundancy.shared[s] = check_of(row, counted.shared[s]);
     }
   }
   return redundancy;

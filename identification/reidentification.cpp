@@ -21,8 +21,8 @@ Expected<Reidentification> Reidentification::of(const System& system, const ArmF
   again.system_ = &system;
   again.fit_ = &fit;
   again.options_ = options;
-  again.layout_ = layout_of(system);
-  auto factor = ArrowFactor::of(linearise(system, fit.weights, options.loss, fit.arm, fit.unknowns), again.layout_);
+  again.layout_ = layout_of(*system.constraints, system.arm_size());
+  auto factor = ArrowFactor::of(linearise(system, fit.weights, options.loss, fit.arm, fit.unknowns));
   if (!factor) {
     return tl::unexpected(factor.error());
   }
@@ -57,12 +57,12 @@ Reidentification::Answer Reidentification::solve(const System& drawn, Scratch& s
     if (answer.steps > 0 && !shrinks) {
       const Linearisation here = linearise(drawn, fit_->weights, options_.loss,
                                            drawn.arm_at(numbers.data() + layout_.arm), unknowns_at(numbers));
-      auto factor = ArrowFactor::of(here, layout_);
+      auto factor = ArrowFactor::of(here);
       if (!factor) {
         break;
       }
       nearer = std::move(*factor);
-      step = nearer->solve(gradient(here, layout_));
+      step = nearer->solve(gradient(here));
       ++answer.matrices;
     } else {
       const Eigen::VectorXd slope =

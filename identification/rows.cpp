@@ -81,12 +81,12 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
       }
     }
     if (out.by_shared != nullptr && feature.first_error >= 0) {
-      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_shared + at + feature.first_error, rows, 3,
-                                                           Eigen::OuterStride<>(out.stride));
+      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(
+          out.by_shared + at + (feature.first_error - out.first_shared), rows, 3, Eigen::OuterStride<>(out.stride));
       lines = whitening.topLeftCorner(rows, rows) * r.by_errors.topRows(rows);
     }
     if (out.by_shared != nullptr && feature.shared_radius >= 0) {
-      out.by_shared[at + feature.shared_radius] = whitening(0, 0) * r.by_ball_radius;
+      out.by_shared[at + feature.shared_radius - out.first_shared] = whitening(0, 0) * r.by_ball_radius;
     }
   }
 }

@@ -14,13 +14,15 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// Where weighted residuals of a run of one feature's readings and their derivatives go: the rows of a
 /// row-major matrix with `stride` numbers a row, `residuals` pointing to the column of the residuals,
 /// `by_arm` to the first of System::arm_size() columns, `by_group` and `by_shared` to the first columns of the
-/// group's and the shared unknowns, which must be zero before. All but the residuals may be null.
+/// group's unknowns and of the artefact parameters from `first_shared` on, which must be zero before. All but the
+/// residuals may be null.
 struct RowsOut {
   std::ptrdiff_t stride = 1;
   double* residuals = nullptr;
   double* by_arm = nullptr;
   double* by_group = nullptr;
   double* by_shared = nullptr;
+  int first_shared = 0;  ///< into Constraints::shared
 };
 
 /// Computes the rows of readings [first, first + count) of a feature, dimension() rows a reading. `sweeps` come from

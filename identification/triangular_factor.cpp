@@ -47,23 +47,16 @@ void reflect(const Vector& v, double twice, Row&& row, Columns&& columns) {
 TriangularFactor::TriangularFactor(int columns)
     : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(block_rows, columns) {}
 
-void TriangularFactor::add(const double* row_major, int rows) {
-  using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-  const Rows block(row_major, rows, waiting_.cols());
-  for (Eigen::Index done = 0; done < rows;) {
-    const Eigen::Index take = std::min<Eigen::Index>(rows - done, block_rows - filled_);
-    waiting_.middleRows(filled_, take) = block.middleRows(done, take);
+void TriangularFactor::add(const RowsRef& rows) {
+  for (Eigen::Index done = 0; done < rows.rows();) {
+    const Eigen::Index take = std::min<Eigen::Index>(rows.rows() - done, block_rows - filled_);
+    waiting_.middleRows(filled_, take) = rows.middleRows(done, take);
     filled_ += take;
     done += take;
     if (filled_ == block_rows) {
       fold();
     }
   }
-}
-
-void TriangularFactor::add(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> copy = rows;
-  add(copy.data(), static_cast<int>(copy.rows()));
 }
 
 // One reflection a column: it takes the waiting rows' column to zero and touches of the triangle the
@@ -104,13 +97,13 @@ Eigen::MatrixXd TriangularFactor::triangle() {
   return triangle_;
 }
 
-Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& triangle, int nuisance_columns) {
+Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& rows, int nuisance_columns) {
   if (nuisance_columns == 0) {
-    return triangle;
+    return rows;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(triangle.leftCols(nuisance_columns));
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.leftCols(nuisance_columns));
   qr.setThreshold(1e-12);
-  Eigen::MatrixXd rest = triangle.rightCols(triangle.cols() - nuisance_columns);
+  Eigen::MatrixXd rest = rows.rightCols(rows.cols() - nuisance_columns);
   rest.applyOnTheLeft(qr.householderQ().transpose());
   return rest.bottomRows(rest.rows() - qr.rank());
 }

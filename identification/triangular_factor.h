@@ -4,6 +4,9 @@
 
 namespace artcal {
 
+/// Rows of a matrix, wherever and in whatever order they lie in memory.
+using RowsRef = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>>;
+
 /// The triangular factor R of a tall matrix that never stands in memory as a whole: rows come in blocks,
 /// each block is folded into R by Householder reflections (a QR in a chain; Golub, Van Loan 2013, §6.5.3).
 /// RᵀR = AᵀA, but R comes from A itself, so that its singular values are A's to full precision. The result
@@ -12,9 +15,7 @@ class TriangularFactor {
  public:
   explicit TriangularFactor(int columns);
 
-  /// Adds `rows` rows; `row_major` holds rows × columns numbers.
-  void add(const double* row_major, int rows);
-  void add(const Eigen::Ref<const Eigen::MatrixXd>& rows);
+  void add(const RowsRef& rows);
 
   /// columns × columns, upper triangular.
   [[nodiscard]] Eigen::MatrixXd triangle();
@@ -27,8 +28,8 @@ class TriangularFactor {
   Eigen::Index filled_ = 0;
 };
 
-/// What a triangle [N | A] over nuisance and wanted columns says of the wanted ones alone: the rows of A
+/// What rows [N | A] over nuisance and wanted columns say of the wanted ones alone: the rows of A
 /// left when the range of N is projected out. N may be rank deficient.
-Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& triangle, int nuisance_columns);
+Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& rows, int nuisance_columns);
 
 }  // namespace artcal

@@ -27,14 +27,18 @@ std::vector<double> shared_weights(const Constraints& constraints) {
   return weights;
 }
 
-// Readings that see a shared unknown.
-int reading_count(const Constraints& constraints, int shared) {
-  int count = 0;
+// Readings that see each artefact parameter.
+std::vector<int> reading_counts(const Constraints& constraints) {
+  std::vector<int> counts(constraints.shared.size(), 0);
   for (const auto& feature : constraints.features) {
-    const bool error = feature.first_error >= 0 && shared >= feature.first_error && shared < feature.first_error + 3;
-    count += error || shared == feature.shared_radius ? feature.size() : 0;
+    for (int s = feature.first_error; feature.first_error >= 0 && s < feature.first_error + 3; ++s) {
+      counts[s] += feature.size();
+    }
+    if (feature.shared_radius >= 0) {
+      counts[feature.shared_radius] += feature.size();
+    }
   }
-  return count;
+  return counts;
 }
 
 }  // namespace
@@ -48,8 +52,9 @@ Weights unit_weights(const Constraints& constraints) {
     weights.distances.push_back(
         std::sqrt(constraints.features[distance.first].size() + constraints.features[distance.second].size()));
   }
-  for (int i = 0; i < static_cast<int>(constraints.shared.size()); ++i) {
-    weights.shared.push_back(constraints.shared[i].u > 0.0 ? std::sqrt(reading_count(constraints, i)) : 0.0);
+  const auto counts = reading_counts(constraints);
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    weights.shared.push_back(constraints.shared[s].u > 0.0 ? std::sqrt(counts[s]) : 0.0);
   }
   return weights;
 }

@@ -64,9 +64,13 @@ TEST_P(Compression, KeepsCostAndGradient) {
   const auto sweeps = sweeps_of(system, arm);
   const auto blocks = blocks_of(bound.constraints);
   const Linearisation linearisation = linearise(system, weights, GetParam(), arm, *unknowns);
-  for (std::size_t b = 1; b < blocks.size(); ++b) {
-    const GroupState& group = unknowns->groups[b - 1];
-    const Eigen::MatrixXd& triangle = linearisation.triangles[b];
+  ASSERT_EQ(linearisation.blocks.size(), blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].group < 0) {
+      continue;
+    }
+    const GroupState& group = unknowns->groups[blocks[b].group];
+    const Eigen::MatrixXd& triangle = linearisation.blocks[b].rows;
     const Eigen::VectorXd z = triangle.rightCols<1>();
     const auto cost_at = [&](const Eigen::VectorXd& values) {
       return block_cost(system, weights, GetParam(), blocks[b], sweeps,
