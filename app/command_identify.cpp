@@ -1,4 +1,7 @@
+#include <unistd.h>
+
 #include <chrono>
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@
 #include "app/dcc_request.h"
 #include "app/identification_report.h"
 #include "app/identification_run.h"
+#include "app/identify_progress.h"
 #include "app/identify_request.h"
 #include "app/output.h"
 #include "app/phrases.h"
@@ -63,6 +67,15 @@ std::string identified_arm_text(const Recording& recording, const Identification
   return arm_file_text(result.arm, known);
 }
 
+Expected<Identification> identify_with_progress(const Recording& recording, const Constraints& constraints,
+                                                IdentifyOptions options, bool quiet) {
+  IdentifyProgress progress(stderr, !quiet && ::isatty(STDERR_FILENO) == 1);
+  options.progress = [&](const std::string& what, std::size_t done, std::size_t total) {
+    progress.set(what, done, total);
+  };
+  return run_identification(recording, constraints, options);
+}
+
 Expected<int> identify_and_tell(const Request& request) {
   const auto start = Clock::now();
   auto recording = read_recording(request.recording, request.access.of(request.recording));
@@ -87,7 +100,7 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(checked.error());
   }
   const double reading_seconds = seconds_since(start);
-  const auto result = run_identification(*recording, *constraints, *options);
+  const auto result = identify_with_progress(*recording, *constraints, *options, request.common.quiet);
   if (!result) {
     return tl::unexpected(result.error());
   }

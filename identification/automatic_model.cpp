@@ -110,6 +110,16 @@ std::vector<ParameterGroup> groups_beside(const Model& model) {
   return groups;
 }
 
+// What is told of one identification among many says which.
+IdentifyProgressCallback named(const IdentifyProgressCallback& progress, const Model& model) {
+  if (!progress) {
+    return {};
+  }
+  return [&progress, name = model_text(model)](const std::string& what, std::size_t done, std::size_t total) {
+    progress(fmt::format("model {}, {}", name, what), done, total);
+  };
+}
+
 }  // namespace
 
 Expected<Identification> identify_automatically(const Recording& recording, const Constraints& constraints,
@@ -143,6 +153,7 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
       IdentifyOptions wider = judged_later;
       wider.model = best->model;
       wider.model.push_back(*group);
+      wider.progress = named(options.progress, wider.model);
       auto result = identify(recording, constraints, wider);
       const std::string why = result ? first_refusal(*result) : result.error().text();
       if (!why.empty()) {

@@ -1,4 +1,4 @@
-#include "identification/evaluation.h"
+#include "identification/evaluation_of_system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,12 @@ double length_between(const Measured& from, const Measured& to, Demand demand) {
 }  // namespace
 
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm) {
-  const System system = make_system(recording, constraints, arm, {});
+  return evaluate(make_system(recording, constraints, arm, {}), recording);
+}
+
+Expected<Evaluation> evaluate(const System& system, const Recording& recording) {
+  const Constraints& constraints = *system.constraints;
+  const Arm& arm = system.start;
   const auto all = all_tips(system, arm);
   const auto unknowns = settle(system, arm, recording, all);
   if (!unknowns) {

@@ -228,4 +228,9 @@ Expected<GroupFit> fit_groups(const Recording& recording, const Constraints& con
   return Fitting(recording, constraints, std::move(preparation), options, prior).fit();
 }
 
+bool keeps_all_members(const Recording& recording, const std::vector<Parameter>& free, const IdentifyOptions& options,
+                       const Arm& arm, const Eigen::MatrixXd& covariance) {
+  return !worst_of(members_in(free, arm_for(options.model, recording.arm), options), free, arm, covariance);
+}
+
 }  // namespace artcal

@@ -24,4 +24,9 @@ struct GroupFit {
 Expected<GroupFit> fit_groups(const Recording& recording, const Constraints& constraints, Preparation preparation,
                               const IdentifyOptions& options, const WeakPrior& prior = {});
 
+/// Whether fit_groups() would leave all members of the model's groups free that are in `free`, at an arm fitted to
+/// these with this covariance, which may be an upper bound.
+bool keeps_all_members(const Recording& recording, const std::vector<Parameter>& free, const IdentifyOptions& options,
+                       const Arm& arm, const Eigen::MatrixXd& covariance);
+
 }  // namespace artcal

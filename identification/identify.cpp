@@ -16,6 +16,7 @@
 #include "identification/leave_out.h"
 #include "identification/outliers.h"
 #include "identification/parallel_axes.h"
+#include "identification/placement_refit.h"
 #include "identification/preparation.h"
 #include "identification/residual_search.h"
 #include "identification/solution_search.h"
@@ -51,6 +52,32 @@ std::vector<std::string> strangers(const Recording& recording, const Constraints
   return where;
 }
 
+// A few steps from the solution instead of a whole identification. Priors, robust weights and the choice of what is
+// fixed are left to the latter.
+RefitWithout refit_of(const System& identified, const ArmFit& fit, const Recording& recording,
+                      const IdentifyOptions& options, const Identification& result) {
+  if (options.loss != Loss::None || !result.weak.empty() || !result.fixed_members.empty()) {
+    return {};
+  }
+  auto refit = PlacementRefit::of(identified, fit, recording, options.noise);
+  if (!refit) {
+    return {};
+  }
+  return [&, refit = std::move(*refit)](int artefact, int placement) -> std::optional<Arm> {
+    auto found = refit.without({artefact, placement});
+    if (!found || !keeps_all_members(recording, identified.free, options, found->arm, found->covariance)) {
+      return std::nullopt;
+    }
+    return std::move(found->arm);
+  };
+}
+
+void tell(const IdentifyOptions& options, const std::string& what) {
+  if (options.progress) {
+    options.progress(what, 0, 0);
+  }
+}
+
 }  // namespace
 
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
@@ -58,6 +85,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
   }
+  tell(options, "initial alignment and least squares");
   auto found = search_solution(recording, constraints, options);
   if (!found) {
     return tl::unexpected(with_parallel_axes(with_reason(found.error(), recording, constraints, recording.arm),
@@ -70,6 +98,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   }
   Preparation* const preparation = &found->preparation;
   const ArmFit* const fit = &found->fit;
+  tell(options, "uncertainties and outliers");
   const auto covariance = arm_covariance(fit->scale, fit->linearisation);
   if (!covariance) {
     return no_solution(
@@ -117,6 +146,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   if (auto warning = warning_of(result.certificate_outliers, options.loss); !warning.empty()) {
     result.warnings.push_back(std::move(warning));
   }
+  tell(options, "search for unmodelled effects");
   result.model_study = search_residuals(identified, *fit, recording);
   if (auto warning = warning_of(result.model_study); !warning.empty()) {
     result.warnings.push_back(std::move(warning));
@@ -142,7 +172,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
       return fit_groups(recording, rest, std::move(*prepared), again, {result.weak, recording.arm})
           .map([](const GroupFit& refit) { return refit.fit.arm; });
     };
-    result.left_out = leave_placements_out(recording, constraints, identify_without, options.threads);
+    result.left_out = leave_placements_out(
+        identified, recording, constraints,
+        {refit_of(identified, *fit, recording, again, result), identify_without, options.threads, options.progress});
   }
   result.coupling = std::move(preparation->coupling);
   const auto more = suspicions(result, reach(recording.arm));

@@ -15,6 +15,7 @@
 #include "identification/loss.h"
 #include "identification/model.h"
 #include "identification/model_study.h"
+#include "identification/progress.h"
 
 namespace artcal {
 
@@ -29,6 +30,7 @@ struct IdentifyOptions {
   bool leave_out = true;       ///< identify once more without each placement
   int max_iterations = 100;
   int threads = 0;  ///< for leaving out; 0 takes all. The result does not depend on it
+  IdentifyProgressCallback progress = {};
 };
 
 /// What became of a parameter.

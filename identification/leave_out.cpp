@@ -1,9 +1,12 @@
 #include "identification/leave_out.h"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "core/parallel.h"
+#include "identification/evaluation_of_system.h"
 
 namespace artcal {
 namespace {
@@ -21,21 +24,32 @@ std::vector<Place> places_of(const Constraints& constraints) {
   return places;
 }
 
-LeftOut leave_out(const Recording& recording, const Constraints& constraints, const Place& place,
-                  const IdentifyWithout& identify_without) {
+LeftOut leave_out(const System& readings, const Recording& recording, const Constraints& constraints,
+                  const Place& place, const LeavingOut& leaving_out) {
   std::vector<bool> is_in_place;
   for (const auto& feature : constraints.features) {
     is_in_place.push_back(Place{feature.artefact, feature.placement} == place);
   }
   LeftOut result;
   result.deviation.name = {constraints.artefacts[place.first].name, recording.placements.name(place.second), ""};
-  const auto arm = identify_without(without_features(constraints, is_in_place));
+  Expected<Arm> arm = tl::unexpected(Error{});
+  if (auto refit = leaving_out.refit ? leaving_out.refit(place.first, place.second) : std::nullopt) {
+    arm = std::move(*refit);
+  } else {
+    arm = leaving_out.identify(without_features(constraints, is_in_place));
+  }
   if (!arm) {
     result.refusal = arm.error().text();
     return result;
   }
   is_in_place.flip();
-  const auto judged = evaluate(recording, without_features(constraints, is_in_place), *arm);
+  const Constraints own = without_features(constraints, is_in_place);
+  System system = readings;  // with its readings' sines, which do not depend on the arm
+  system.constraints = &own;
+  system.start = *arm;
+  system.free.clear();
+  system.scale.resize(0);
+  const auto judged = evaluate(system, recording);
   if (!judged) {
     result.refusal = judged.error().text();
     return result;
@@ -47,15 +61,22 @@ LeftOut leave_out(const Recording& recording, const Constraints& constraints, co
 
 }  // namespace
 
-std::vector<LeftOut> leave_placements_out(const Recording& recording, const Constraints& constraints,
-                                          const IdentifyWithout& identify_without, int threads) {
+std::vector<LeftOut> leave_placements_out(const System& readings, const Recording& recording,
+                                          const Constraints& constraints, const LeavingOut& leaving_out) {
   const auto places = places_of(constraints);
   if (places.size() < 2) {
     return {};
   }
   std::vector<LeftOut> results(places.size());
-  parallel_for(places.size(), threads,
-               [&](std::size_t i) { results[i] = leave_out(recording, constraints, places[i], identify_without); });
+  std::mutex counting;
+  std::size_t done = 0;
+  parallel_for(places.size(), leaving_out.threads, [&](std::size_t i) {
+    results[i] = leave_out(readings, recording, constraints, places[i], leaving_out);
+    if (leaving_out.progress) {
+      const std::lock_guard lock(counting);
+      leaving_out.progress("leave-one-placement-out cross-validation", ++done, places.size());
+    }
+  });
   return results;
 }
 

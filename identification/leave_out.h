@@ -1,20 +1,34 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "identification/identify.h"
+#include "identification/progress.h"
+#include "identification/system.h"
 
 namespace artcal {
 
 /// Identifies an arm from constraints that lack one placement.
 using IdentifyWithout = std::function<Expected<Arm>(const Constraints&)>;
 
+/// A faster way to the same arm; nothing where it cannot be had (PlacementRefit).
+using RefitWithout = std::function<std::optional<Arm>(int artefact, int placement)>;
+
+/// How an arm without a placement is to be had, on how many threads (0: all), and who is told how many are done.
+struct LeavingOut {
+  RefitWithout refit;
+  IdentifyWithout identify;
+  int threads = 0;
+  IdentifyProgressCallback progress{};
+};
+
 /// Leaves out each placement of each artefact in turn, identifies from the rest, and lets the result judge
 /// the placement it has not seen. Nothing is left out where there are fewer than two placements. The
-/// parts run side by side on `threads` threads (0: all); each is alone with its numbers, so that the
-/// result does not depend on how many there are.
-std::vector<LeftOut> leave_placements_out(const Recording& recording, const Constraints& constraints,
-                                          const IdentifyWithout& identify_without, int threads);
+/// parts run side by side; each is alone with its numbers, so that the result does not depend on how many threads
+/// there are. `readings` is make_system() of the recording, at any arm.
+std::vector<LeftOut> leave_placements_out(const System& readings, const Recording& recording,
+                                          const Constraints& constraints, const LeavingOut& leaving_out);
 
 }  // namespace artcal
