@@ -11,10 +11,10 @@ namespace artcal {
 
 /// What a batch is asked beside the recordings.
 struct BatchOptions {
-  bool leave_out = false;            ///< identify again without each placement
-  bool anywhere = false;             ///< recordings may refer to files anywhere
-  CloudLimits limits = {};           ///< of the memory that compressed points of scans may take
-  std::vector<std::string> folders;  ///< absolute; the recordings found in them may refer to all that is in them
+  bool leave_out = false;                 ///< identify again without each placement
+  bool anywhere = false;                  ///< recordings may refer to files anywhere
+  CloudLimits limits = {};                ///< of the memory that compressed points of scans may take
+  std::vector<std::string> folders = {};  ///< absolute; the recordings found in them may refer to all that is in them
 
   /// What results depend on, as the store states it.
   [[nodiscard]] std::string text() const { return leave_out ? "leave-out" : ""; }
