@@ -1,7 +1,9 @@
 #include "acquisition/arm_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -20,6 +22,7 @@ namespace artcal {
 namespace {
 
 constexpr std::string_view schema = "artcal-arm/1";
+constexpr std::size_t fingerprints_a_line = 8;
 
 Convention read_convention(TomlTable& root) {
   const std::string name = root.text("convention");
@@ -93,6 +96,16 @@ void check_arm(const Arm& arm, TomlTable& root) {
   }
 }
 
+std::vector<std::string> read_fingerprints(TomlTable& table) {
+  std::vector<std::string> fingerprints;
+  for (const std::string& line : table.texts("readings")) {
+    std::istringstream words(line);
+    fingerprints.insert(fingerprints.end(), std::istream_iterator<std::string>(words), {});
+  }
+  std::sort(fingerprints.begin(), fingerprints.end());
+  return fingerprints;
+}
+
 std::optional<ArmIdentification> read_identification(TomlTable table, const Arm& arm) {
   ArmIdentification known;
   known.program = table.name("program");
@@ -108,6 +121,7 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
       table.fail("noise", "the noise of a reading is below zero");
     }
   }
+  known.readings = read_fingerprints(table);
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
   const auto parameters = all_parameters(arm);
@@ -160,6 +174,21 @@ std::string probe_text(const Probe& probe) {
                      toml_number(probe.radius));
 }
 
+// Some on each line, so that the file stays readable.
+std::string fingerprints_text(const std::vector<std::string>& fingerprints) {
+  if (fingerprints.empty()) {
+    return {};
+  }
+  std::string text =
+      "# Fingerprints of the readings that it was identified from: `artcal verify` does not judge by these.\nreadings "
+      "= [";
+  for (std::size_t i = 0; i < fingerprints.size(); ++i) {
+    text += i % fingerprints_a_line == 0 ? (i == 0 ? "\n  \"" : "\",\n  \"") : " ";
+    text += fingerprints[i];
+  }
+  return text + "\",\n]\n";
+}
+
 std::string identification_text(const ArmIdentification& known) {
   std::string text = fmt::format(
       "# Covariance in the parameters' units (mm, rad, rad/rad, rad/(N mm), 1/K), in the order of "
@@ -181,7 +210,7 @@ std::string identification_text(const ArmIdentification& known) {
     }
     text += "]\n";
   }
-  text += "covariance = [\n";
+  text += fingerprints_text(known.readings) + "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {
     text += "  [";
     for (const double value : row) {

@@ -3,25 +3,13 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
-
-#include <Eigen/Core>
 
 #include "acquisition/arm.h"
-#include "acquisition/recording.h"
+#include "acquisition/arm_identification.h"
 #include "core/error.h"
+#include "core/input_file.h"
 
 namespace artcal {
-
-/// What an identification leaves in the arm's file beside the parameters.
-struct ArmIdentification {
-  std::string program;                  ///< "artcal 0.1.0"
-  std::string recording;                ///< SHA-256 of the recording file it was identified from
-  std::vector<std::string> parameters;  ///< names of the identified ones
-  Eigen::MatrixXd covariance;           ///< of these, in their units
-  std::optional<double> noise;          ///< standard deviation of a reading's coordinate, mm
-  std::vector<std::string> misfits;     ///< why the arm is no solution of its readings; empty: it is one
-};
 
 /// An arm with what is known of it. Format: docs/files.md, "arm.toml".
 struct ArmFile {

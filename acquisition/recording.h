@@ -7,22 +7,13 @@
 #include <Eigen/Core>
 
 #include "acquisition/arm.h"
+#include "acquisition/arm_identification.h"
+#include "acquisition/noise.h"
 #include "acquisition/reading.h"
 #include "acquisition/recorded_scan.h"
 #include "core/input_file.h"
 
 namespace artcal {
-
-/// The noise of one reading. Either `reading` is given, the standard deviation of a coordinate in mm
-/// whatever the posture; or `encoder` (rad, a joint) and `probing` (mm, a coordinate), from which each
-/// reading gets the noise of its own posture; or nothing, and the noise is estimated from the residuals.
-struct Noise {
-  std::optional<double> reading;
-  std::optional<double> encoder;
-  std::optional<double> probing;
-
-  [[nodiscard]] bool is_given() const { return reading || encoder || probing; }
-};
 
 /// What a recording asks of its own identification; the command line may say more.
 struct IdentifyRequest {
@@ -41,8 +32,9 @@ struct VerifyRequest {
 /// One recording session: an arm and what it read. Joint angles in rad, as the encoders gave them.
 struct Recording {
   std::string name;
-  std::string date;        ///< of the measurement, "2026-03-10"; empty: not stated
-  Arm arm;                 ///< the nominal arm, the start of identification
+  std::string date;                                     ///< of the measurement, "2026-03-10"; empty: not stated
+  Arm arm;                                              ///< the nominal arm, the start of identification
+  std::optional<ArmIdentification> arm_identification;  ///< what the arm's file says of how it was identified
   Eigen::MatrixXd joints;  ///< joint × reading, rad; NaN for readings of coordinates alone
   std::vector<Reading> readings;
   Labels artefacts, placements, features, orientations, repeats;

@@ -171,6 +171,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path, const File
       return tl::unexpected(arm.error());
     }
     recording.arm = std::move(arm->arm);
+    recording.arm_identification = std::move(arm->identification);
     recording.inputs.push_back(arm->input);
   }
   for (const auto& name : readings_paths) {

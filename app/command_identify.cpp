@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
+#include "acquisition/reading_fingerprint.h"
 #include "acquisition/recording_file.h"
 #include "app/access_option.h"
 #include "app/command.h"
@@ -64,6 +65,9 @@ std::string identified_arm_text(const Recording& recording, const Identification
   known.covariance = result.covariance;
   known.noise = result.noise * result.enlargement;
   known.misfits = result.misfits;
+  // What was fixed rests on the readings that the arm it started from was identified from.
+  const auto& before = recording.arm_identification;
+  known.readings = fingerprints_of(recording, before ? before->readings : std::vector<std::string>{});
   return arm_file_text(result.arm, known);
 }
 

@@ -109,7 +109,10 @@ std::vector<std::string> statements_of(const Session& session, const Verificatio
       "{} by {}. The quantities are those that the standard names; no conformity to its clauses is claimed.",
       text_of(verification.conclusion), verification.standard)};
   for (const std::string& missing : verification.missing) {
-    statements.push_back("In the way of showing conformity: " + missing);
+    statements.push_back("Missing for a proof of conformity: " + missing);
+  }
+  for (const std::string& waived : verification.waived) {
+    statements.push_back("Waived by the specification: " + waived);
   }
   for (const InputFile& input : session.recording.inputs) {
     statements.push_back(fmt::format("Input with the SHA-256 {}: {}", input.sha256, input.path));
@@ -124,7 +127,7 @@ std::vector<std::string> statements_of(const Session& session, const Verificatio
 }
 
 DccMethod method_of(const Session& session, const Verification& verification) {
-  const auto& [recording, constraints, arm, tips, specification] = session;
+  const auto& [recording, constraints, arm, tips, specification, identification] = session;
   return {"Verification of an articulated arm",
           fmt::format("{}: {} readings on calibrated artefacts, {}. Arm: {}. Specification: {}. Decision rule: {}.",
                       verification.standard, recording.readings.size(),

@@ -153,6 +153,7 @@ Json to_json(const Session& session, const VerificationResult& result) {
   json["volumetric"] = result.volumetric ? volumetric_json(*result.volumetric) : Json(nullptr);
   json["interim"] = result.interim ? interim_json(*result.interim) : Json(nullptr);
   json["missing"] = verification.missing;
+  json["waived"] = verification.waived;
   json["warnings"] = verification.warnings;
   json["features"] = feature_places_json(session);
   json["arm_shape"] = arm_shape_json(session.recording, session.arm);

@@ -19,6 +19,7 @@ Expected<void> read_other_arm(const std::string& path, VerificationMaterial& mat
   }
   material.recording.inputs.push_back(file->input);
   material.other_arm = std::move(file->arm);
+  material.other_identification = std::move(file->identification);
   return {};
 }
 
@@ -55,7 +56,7 @@ Expected<void> read_specification(const std::string& named, VerificationMaterial
 }  // namespace
 
 Expected<VerificationMaterial> read_verification_material(Recording recording, const VerificationSources& sources) {
-  VerificationMaterial material{std::move(recording), {}, {}, {}, {}};
+  VerificationMaterial material{std::move(recording), {}, {}, {}, {}, {}};
   if (auto read = read_other_arm(sources.arm, material); !read) {
     return tl::unexpected(read.error());
   }

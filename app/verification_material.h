@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "acquisition/arm_identification.h"
 #include "acquisition/cloud_limits.h"
 #include "acquisition/tip_centres.h"
 #include "artefacts/constraint.h"
@@ -23,11 +24,15 @@ struct VerificationMaterial {
   Recording recording;
   Constraints constraints;
   std::optional<Arm> other_arm;
+  std::optional<ArmIdentification> other_identification;  ///< of other_arm
   TipCentres tips;
   Specification specification;
 
   [[nodiscard]] Session session() const {
-    return {recording, constraints, other_arm ? *other_arm : recording.arm, tips, specification};
+    const auto& known = other_arm ? other_identification : recording.arm_identification;
+    const bool by_arm = tips.source == TipSource::Joints;
+    return {recording, constraints,   other_arm ? *other_arm : recording.arm,
+            tips,      specification, known && by_arm ? &*known : nullptr};
   }
 };
 

@@ -259,7 +259,8 @@ std::string to_text(const Session& session, const VerificationResult& result, bo
   const Verification& verification = result.verification;
   std::string text = title_text(session, verification) + summary_text(verification) + b89_text(result);
   text += result.interim ? interim_text(*result.interim) : "";
-  text += list_text("In the way of showing conformity, beside the values:", verification.missing);
+  text += list_text("Missing for a proof of conformity, beside the values:", verification.missing);
+  text += list_text("Waived by the specification:", verification.waived);
   text += list_text("Warnings:", verification.warnings);
   for (const PlatePlacement& plate : result.plates) {
     text += plate_text(plate, all);

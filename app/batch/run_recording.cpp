@@ -136,6 +136,7 @@ void do_verify(RecordingOutcome& outcome, Job& job, Keep keep) {
   add_verification(outcome.entry, job.key, *result, job.verification->specification.name);
   add_remarks(outcome.entry, job.key, "warning", result->verification.warnings);
   add_remarks(outcome.entry, job.key, "missing", result->verification.missing);
+  add_remarks(outcome.entry, job.key, "waived", result->verification.waived);
   if (keep == Keep::RowsAndResults) {
     outcome.results.push_back(reported(to_json(job.verification->session(), *result)));
   }

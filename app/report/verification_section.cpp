@@ -68,6 +68,11 @@ void write_verification(const Json& result, Sheet& sheet) {
     sheet.part("What is missing for conformity");
     sheet.list(texts_in(result.at("missing")));
   }
+  // Results of earlier versions do not have it.
+  if (result.contains("waived") && !result.at("waived").empty()) {
+    sheet.part("Waived by the specification");
+    sheet.list(texts_in(result.at("waived")));
+  }
   const auto quantities = by_quantity(result.at("values"));
   sheet.part("Values");
   write_worst_values(quantities, sheet);

@@ -10,6 +10,7 @@
 #include "artefacts/verification/length_tests.h"
 #include "artefacts/verification/measured.h"
 #include "artefacts/verification/sphere_tests.h"
+#include "artefacts/verification/traceability.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -159,6 +160,7 @@ Expected<B89Verification> verify_b89_4_22(const Session& session) {
   }
   result.volumetric = volumetric_summary(verification);
   check_plan(session, result);
+  check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);
   verification.conclusion = conclude(verification);

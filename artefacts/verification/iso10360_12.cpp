@@ -11,6 +11,7 @@
 #include "artefacts/verification/length_tests.h"
 #include "artefacts/verification/outlier_rule.h"
 #include "artefacts/verification/sphere_tests.h"
+#include "artefacts/verification/traceability.h"
 
 namespace artcal {
 namespace {
@@ -59,6 +60,7 @@ Expected<Verification> verify_iso10360_12(const Session& session) {
   check_sphere_plan(session, verification);
   check_length_plan(session, verification);
   check_limits(session, verification);
+  check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);
   verification.conclusion = conclude(verification);

@@ -15,6 +15,8 @@ struct Session {
   const Arm& arm;                  ///< that the tips were computed with; places are told by it
   const TipCentres& tips;
   const Specification& specification;
+  /// How that arm was identified; null where nothing is known of it, or where the arm was not used (tips as reported).
+  const ArmIdentification* identification = nullptr;
 };
 
 /// Readings of one feature in one go: the same placement, repeat and orientation of the wrist.

@@ -2,11 +2,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "artefacts/verification/decision.h"
+#include "artefacts/verification/evidence.h"
 #include "artefacts/verification/limit.h"
 
 namespace artcal {
@@ -75,6 +77,8 @@ struct Specification {
   double u_fixture = 0.0;               ///< mm
   std::optional<TestPlan> plan;
   OutlierRule outliers;
+  std::set<Evidence>
+      waived;  ///< conformity may be stated without these; whoever writes the specification answers for it
 };
 
 }  // namespace artcal

@@ -115,6 +115,18 @@ void read_limits(TomlTable& root, double length, double limit, Specification& sp
   }
 }
 
+std::set<Evidence> read_waived(TomlTable& root) {
+  std::set<Evidence> waived;
+  for (const std::string& name : root.texts("waive")) {
+    if (const auto evidence = evidence_named(name)) {
+      waived.insert(*evidence);
+    } else {
+      root.fail("waive", fmt::format("`waive` names {}, expected {}", in_quotes(name), evidence_names()));
+    }
+  }
+  return waived;
+}
+
 Specification read_specification(TomlTable& root, const std::filesystem::path& path) {
   Specification specification;
   specification.name = root.name_or("name", at_most(80, path.stem().string()));
@@ -142,6 +154,7 @@ Specification read_specification(TomlTable& root, const std::filesystem::path& p
   if (root.has("plan")) {
     specification.plan = read_plan(root.table("plan"));
   }
+  specification.waived = read_waived(root);
   TomlTable outliers = root.table("outliers");
   specification.outliers = {count(outliers, "sets"), count(outliers, "values"), count(outliers, "again")};
   return specification;

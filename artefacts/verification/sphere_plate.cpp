@@ -12,6 +12,7 @@
 #include "artefacts/verification/measured.h"
 #include "artefacts/verification/rigid_fit.h"
 #include "artefacts/verification/strangeness.h"
+#include "artefacts/verification/traceability.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -287,6 +288,7 @@ Expected<PlateVerification> verify_sphere_plate(const Session& session) {
   }
   add_length_tests(session, Quantity::LengthUni, verification);
   judge_no_misnamed(result.placements, verification);
+  check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);
   verification.conclusion = conclude(verification);

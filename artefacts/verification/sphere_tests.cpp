@@ -23,7 +23,7 @@ struct Position {
 
 TestValue value_at(const Session& session, const Touched& touched, Quantity quantity, const MeasuredPoint& measured,
                    const std::vector<int>& readings) {
-  const auto& [recording, constraints, arm, tips, specification] = session;
+  const auto& [recording, constraints, arm, tips, specification, identification] = session;
   const Artefact& artefact = constraints.artefacts[touched.artefact];
   TestValue value;
   value.quantity = quantity;

@@ -9,6 +9,15 @@
 
 namespace artcal {
 
+void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
+                    const std::string& text) {
+  auto& list = specification.waived.contains(evidence) ? verification.waived : verification.missing;
+  std::string line = fmt::format("{} [{}]", text, name_of(evidence));
+  if (std::find(list.begin(), list.end(), line) == list.end()) {
+    list.push_back(std::move(line));
+  }
+}
+
 void judge(TestValue& value, const Specification& specification) {
   const auto limit = specification.limits.find(value.quantity);
   if (limit == specification.limits.end()) {

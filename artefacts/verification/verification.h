@@ -41,9 +41,15 @@ struct Verification {
   DecisionRule rule = DecisionRule::Iso14253_2017;
   std::vector<TestValue> values;
   std::vector<std::string> missing;   ///< what stands in the way of conformity beside the values
+  std::vector<std::string> waived;    ///< what would stand there, but the specification waives it
   std::vector<std::string> warnings;  ///< what looks wrong but may be right
   Conclusion conclusion = Conclusion::NotShown;
 };
+
+/// Notes that evidence is missing: "`text` [certificate_lapsed]" among what is missing, or where the specification
+/// waives it, among what is waived. The same text is noted once.
+void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
+                    const std::string& text);
 
 /// Fills limit and verdict of a value.
 void judge(TestValue& value, const Specification& specification);

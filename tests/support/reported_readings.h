@@ -91,7 +91,25 @@ class ReportedReadings {
   Recording recording_;
 };
 
-/// Everything that a session refers to, kept together.
+/// A recording of a day, unless it has one.
+inline Recording dated(Recording recording) {
+  recording.date = recording.date.empty() ? "2026-03-10" : recording.date;
+  return recording;
+}
+
+/// Artefacts with certificates that are valid on that day, unless they have some.
+inline std::vector<Artefact> certified(std::vector<Artefact> artefacts) {
+  for (Artefact& artefact : artefacts) {
+    Certificate& certificate = artefact.certificate;
+    if (certificate.number.empty() && certificate.date.empty()) {
+      certificate = {"K-1", "made-up laboratory", "2026-03-02", "2028-03-01"};
+    }
+  }
+  return artefacts;
+}
+
+/// Everything that a session refers to, kept together. Its certificates and its day are sound unless a test says
+/// otherwise afterwards.
 struct SessionMaterial {
   Recording recording;
   Constraints constraints;
@@ -99,8 +117,8 @@ struct SessionMaterial {
   Specification specification;
 
   SessionMaterial(Recording read, std::vector<Artefact> artefacts, Specification by)
-      : recording(std::move(read)),
-        constraints(build_constraints(recording, std::move(artefacts)).value()),
+      : recording(dated(std::move(read))),
+        constraints(build_constraints(recording, certified(std::move(artefacts))).value()),
         tips(tip_centres(recording).value()),
         specification(std::move(by)) {}
   [[nodiscard]] Session session() const { return {recording, constraints, recording.arm, tips, specification}; }

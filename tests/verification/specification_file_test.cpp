@@ -51,6 +51,16 @@ TEST_F(SpecificationFileTest, ReadsEverythingIntoMillimetres) {
   EXPECT_EQ(by.outliers.again, 10);
 }
 
+TEST_F(SpecificationFileTest, WaivesEvidenceByName) {
+  EXPECT_TRUE(read(good)->specification.waived.empty());
+  const auto file = read("waive = [\"certificate_lapsed\", \"date_absent\"]\n" + good);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_EQ(file->specification.waived, (std::set{Evidence::CertificateLapsed, Evidence::DateAbsent}));
+  const auto unknown = read("waive = [\"certificates\"]\n" + good);
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(unknown.error().text(), HasSubstr("`waive` names \"certificates\", expected certificate_absent"));
+}
+
 TEST_F(SpecificationFileTest, RefusesWhatMeansNothing) {
   EXPECT_THAT(refusal("B = 25", "A = 25"), HasSubstr("A and K belong together"));
   EXPECT_THAT(refusal("B = 25", "B = -25"), HasSubstr("s.toml:6:5: `B` is -25, expected a number above zero"));
