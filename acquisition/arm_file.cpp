@@ -96,6 +96,14 @@ void check_arm(const Arm& arm, TomlTable& root) {
   }
 }
 
+std::optional<double> read_noise(TomlTable& table, std::string_view key) {
+  const auto noise = table.optional_number(key);
+  if (noise && *noise < 0.0) {
+    table.fail(key, fmt::format("`{}`, the noise of a reading, is below zero", key));
+  }
+  return noise;
+}
+
 std::vector<std::string> read_fingerprints(TomlTable& table) {
   std::vector<std::string> fingerprints;
   for (const std::string& line : table.texts("readings")) {
@@ -115,11 +123,11 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
     known.misfits = table.texts("misfits");
   }
   const auto rows = table.rows("covariance");
-  if (table.has("noise")) {
-    known.noise = table.number("noise");
-    if (*known.noise < 0.0) {
-      table.fail("noise", "the noise of a reading is below zero");
-    }
+  known.noise = read_noise(table, "noise");
+  known.encoder_noise = read_noise(table, "encoder_noise");
+  known.probing_noise = read_noise(table, "probing_noise");
+  if (known.encoder_noise.has_value() != known.probing_noise.has_value()) {
+    table.fail("encoder_noise", "`encoder_noise` and `probing_noise` belong together; state both");
   }
   known.readings = read_fingerprints(table);
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
@@ -209,6 +217,11 @@ std::string identification_text(const ArmIdentification& known) {
       text += toml_text(reason) + ", ";
     }
     text += "]\n";
+  }
+  if (known.encoder_noise && known.probing_noise) {
+    text +=
+        fmt::format("encoder_noise = {}  # rad, of each joint\nprobing_noise = {}  # mm, of a coordinate beside it\n",
+                    toml_number(*known.encoder_noise), toml_number(*known.probing_noise));
   }
   text += fingerprints_text(known.readings) + "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {

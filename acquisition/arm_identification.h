@@ -15,6 +15,8 @@ struct ArmIdentification {
   std::vector<std::string> parameters;  ///< names of the identified ones
   Eigen::MatrixXd covariance;           ///< of these, in their units
   std::optional<double> noise;          ///< standard deviation of a reading's coordinate, mm
+  std::optional<double> encoder_noise;  ///< standard deviation of each joint, rad; where the noise was known by parts
+  std::optional<double> probing_noise;  ///< and of the tip's coordinates beside that, mm
   std::vector<std::string> misfits;     ///< why the arm is no solution of its readings; empty: it is one
   /// Fingerprints of the readings it was identified from (reading_fingerprint.h), sorted; those of the readings behind
   /// the parameters that it started from are among them. None in files of earlier versions.

@@ -79,9 +79,8 @@ void drop_coincident_points(PointCloud& cloud) {
   if (count == 0) {
     return;
   }
-  cloud.warnings.push_back(
-      fmt::format("{} of {} points repeat an earlier one in every digit; each place is counted once", count,
-                  cloud.points.cols()));
+  cloud.warnings.push_back(fmt::format(
+      "{} of {} points repeat an earlier one in every digit; each place is counted once", count, cloud.points.cols()));
   keep(cloud, repeated);
 }
 

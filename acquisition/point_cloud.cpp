@@ -7,6 +7,7 @@
 
 #include "acquisition/cloud_formats.h"
 #include "acquisition/cloud_limits.h"
+#include "acquisition/coincident_points.h"
 #include "core/size_limits.h"
 
 namespace artcal {
@@ -85,7 +86,10 @@ Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUni
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns,
                                const CloudLimits& limits) {
   return read_file_bytes(path, largest::points, "a point file").and_then([&](const FileBytes& file) {
-    return parse_within(file, units, columns, limits);
+    return parse_within(file, units, columns, limits).map([](ReadCloud read) {
+      drop_coincident_points(read.cloud);
+      return read;
+    });
   });
 }
 

@@ -1,5 +1,7 @@
 #include "acquisition/recording_file.h"
 
+#include <set>
+
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
@@ -77,6 +79,21 @@ void check_temperature_unit(TomlTable& units) {
   }
 }
 
+// Rows of a table that is named twice would count twice.
+void check_named_once(TomlTable& root, const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::set<std::filesystem::path> files;
+  for (const std::string& name : names) {
+    std::error_code error;
+    const auto whole = std::filesystem::weakly_canonical(folder / name, error);
+    if (!files.insert(error ? folder / name : whole).second) {
+      root.fail("readings",
+                fmt::format("`readings` names the table {} twice; its readings would count twice. Leave one "
+                            "of them out",
+                            in_quotes(name)));
+    }
+  }
+}
+
 // An arm of which nothing is known but its tips: its own software says where they were.
 Arm arm_of_probes(TomlTable& root, double length) {
   Arm arm;
@@ -142,6 +159,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path, const File
     root.fail("readings",
               "the recording names no readings, expected readings = [\"readings.csv\"], or scans as [[scan]]");
   }
+  check_named_once(root, folder, readings_paths);
   if (root.has("specification")) {
     recording.specification_path = file_at("specification", root.text("specification")).string();
   }

@@ -6,14 +6,28 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/parameters.h"
 #include "acquisition/sweep.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
+bool is_identified(const Arm& arm, int probe, const ArmIdentification* identification) {
+  if (identification == nullptr) {
+    return false;
+  }
+  const auto parameters = all_parameters(arm);
+  return std::any_of(identification->parameters.begin(), identification->parameters.end(), [&](const auto& name) {
+    const int found = find_parameter(parameters, name);
+    return found >= 0 && parameters[static_cast<std::size_t>(found)].kind == ParameterKind::Radius &&
+           parameters[static_cast<std::size_t>(found)].owner == probe;
+  });
+}
+
 // Where the recording's probes are among those of `arm`.
-Expected<std::vector<int>> probes_in(const Recording& recording, const Arm& arm) {
+Expected<std::vector<int>> probes_in(const Recording& recording, const Arm& arm,
+                                     const ArmIdentification* identification) {
   std::vector<int> found;
   for (const Probe& probe : recording.arm.probes) {
     const int index = probe_index(arm, probe.name);
@@ -21,10 +35,10 @@ Expected<std::vector<int>> probes_in(const Recording& recording, const Arm& arm)
       return bad_input(fmt::format("the arm {} has no probe {}, which the recording was made with", in_quotes(arm.name),
                                    in_quotes(probe.name)));
     }
-    if (arm.probes[index].radius != probe.radius) {
+    if (arm.probes[index].radius != probe.radius && !is_identified(arm, index, identification)) {
       return bad_input(
           fmt::format("the probe {} has a tip of radius {} mm in the recording's arm and of {} mm in the "
-                      "arm {}; one of them is wrong",
+                      "arm {}, where it was not identified; one of them is wrong",
                       in_quotes(probe.name), probe.radius, arm.probes[index].radius, in_quotes(arm.name)));
     }
     found.push_back(index);
@@ -57,7 +71,14 @@ Expected<void> require_arm_temperatures(const Recording& recording) {
   return {};
 }
 
-Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm) {
+double tip_radius(const Recording& recording, int reading, const Arm& arm) {
+  const Probe& probe =
+      recording.arm.probes[static_cast<std::size_t>(recording.readings[static_cast<std::size_t>(reading)].probe)];
+  const int index = probe_index(arm, probe.name);
+  return index < 0 ? probe.radius : arm.probes[static_cast<std::size_t>(index)].radius;
+}
+
+Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm, const ArmIdentification* identification) {
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
   }
@@ -70,7 +91,7 @@ Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm) {
       return tl::unexpected(there.error());
     }
   }
-  const auto probes = probes_in(recording, arm);
+  const auto probes = probes_in(recording, arm, identification);
   if (!probes) {
     return tl::unexpected(probes.error());
   }

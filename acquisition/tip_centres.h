@@ -20,11 +20,17 @@ struct TipCentres {
 
 /// The tip's centre of every reading by the kinematics of `arm`, which has the joints and the probes of the
 /// recording's. Refused: an arm of another number of joints, a probe that it does not have or has with another
-/// radius, a reading without joint angles, or without the arm's temperature where the arm expands.
-Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm);
+/// radius (unless `identification` says that the radius was identified), a reading without joint angles, or without the
+/// arm's temperature where the arm expands.
+Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm,
+                                 const ArmIdentification* identification = nullptr);
 
 /// As reported where every reading says, else by the recording's own arm.
 Expected<TipCentres> tip_centres(const Recording& recording);
+
+/// Radius of the tip that made a reading, mm: of the probe that `arm` has by the name that the recording's arm gives
+/// it, else of the recording's own.
+double tip_radius(const Recording& recording, int reading, const Arm& arm);
 
 /// Whether every reading has joint angles; else an error at the first that has not, for whoever needs them.
 Expected<void> require_joints(const Recording& recording);

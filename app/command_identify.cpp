@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
-#include "acquisition/reading_fingerprint.h"
 #include "acquisition/recording_file.h"
 #include "app/access_option.h"
 #include "app/command.h"
@@ -15,6 +14,7 @@
 #include "app/dcc_request.h"
 #include "app/identification_report.h"
 #include "app/identification_run.h"
+#include "app/identified_arm.h"
 #include "app/identify_progress.h"
 #include "app/identify_request.h"
 #include "app/output.h"
@@ -23,7 +23,6 @@
 #include "app/referenced_files.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
-#include "app/version.h"
 #include "artefacts/read_constraints.h"
 #include "identification/identify.h"
 
@@ -53,22 +52,6 @@ Expected<IdentifyOptions> options_of(const Request& request, const Recording& re
     options.threads = request.threads;
     return options;
   });
-}
-
-std::string identified_arm_text(const Recording& recording, const Identification& result) {
-  ArmIdentification known;
-  known.program = fmt::format("artcal {}", program_version);
-  known.recording = recording.inputs.front().sha256;
-  for (const int index : result.free) {
-    known.parameters.push_back(result.parameters[index].parameter.name);
-  }
-  known.covariance = result.covariance;
-  known.noise = result.noise * result.enlargement;
-  known.misfits = result.misfits;
-  // What was fixed rests on the readings that the arm it started from was identified from.
-  const auto& before = recording.arm_identification;
-  known.readings = fingerprints_of(recording, before ? before->readings : std::vector<std::string>{});
-  return arm_file_text(result.arm, known);
 }
 
 Expected<Identification> identify_with_progress(const Recording& recording, const Constraints& constraints,
@@ -110,7 +93,9 @@ Expected<int> identify_and_tell(const Request& request) {
   }
   const Timings timings{reading_seconds, seconds_since(start) - reading_seconds};
   if (!request.arm_out.empty()) {
-    if (auto written = write_file(request.arm_out, identified_arm_text(*recording, *result)); !written) {
+    if (auto written =
+            write_file(request.arm_out, arm_file_text(result->arm, arm_identification(*recording, *options, *result)));
+        !written) {
       return tl::unexpected(written.error());
     }
   }

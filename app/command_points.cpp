@@ -72,6 +72,7 @@ Expected<int> write_points(const Request& request) {
     }
   }
   std::optional<Arm> arm;
+  std::optional<ArmIdentification> identification;
   if (!request.arm.empty()) {
     auto file = read_arm_file(request.arm);
     if (!file) {
@@ -79,13 +80,14 @@ Expected<int> write_points(const Request& request) {
     }
     recording->inputs.push_back(file->input);
     arm = std::move(file->arm);
+    identification = std::move(file->identification);
   }
   if (auto checked = check_outputs({request.output, request.common.json},
                                    referenced_files(*recording, request.access.of(request.recording)));
       !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto tips = tip_centres(*recording, arm ? *arm : recording->arm);
+  const auto tips = tip_centres(*recording, arm ? *arm : recording->arm, identification ? &*identification : nullptr);
   if (!tips) {
     return tl::unexpected(with_warnings(tips.error(), recording->warnings));
   }

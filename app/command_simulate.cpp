@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -14,11 +16,14 @@
 #include "app/simulation_json.h"
 #include "app/table.h"
 #include "app/version.h"
+#include "artefacts/simulation/pattern.h"
 #include "artefacts/simulation/plan_file.h"
 #include "artefacts/simulation/simulate.h"
+#include "artefacts/verification/point_uncertainty.h"
 #include "core/in_quotes.h"
 #include "core/text_file.h"
 #include "core/toml_text.h"
+#include "core/units.h"
 
 namespace artcal {
 namespace {
@@ -151,6 +156,29 @@ FolderFiles made_files(const PlanFile& file, const Simulation& simulation, const
   return files;
 }
 
+// Of each probing of balls whose points lie on so small a part that verification shows nothing by them.
+std::string dilution_text(const SimulationPlan& plan) {
+  std::string text;
+  for (const PlannedProbing& probing : plan.probings) {
+    const auto& features = plan.artefacts[static_cast<std::size_t>(probing.artefact)].certified.features;
+    const bool on_balls = std::any_of(probing.features.begin(), probing.features.end(), [&](int feature) {
+      return features[static_cast<std::size_t>(feature)].kind == FeatureKind::Sphere;
+    });
+    if (!on_balls || probing.scan) {
+      continue;
+    }
+    RandomStream random(plan.seed, "dilution of a pattern");
+    if (const double dilution = centre_dilution(directions_on_ball(probing, random)); dilution > max_dilution) {
+      text += fmt::format(
+          "\nWarning: {} points within {:.0f} degrees of the pole determine a ball's centre with {} the scatter of one "
+          "touch; spread them farther\n",
+          probing.points, probing.cap / units::degree,
+          std::isfinite(dilution) ? fmt::format("{:.1f} times", dilution) : "no bound beside");
+    }
+  }
+  return text;
+}
+
 std::string summary(const PlanFile& file, const Simulation& simulation, const Request& request) {
   const SimulationPlan& plan = file.plan;
   std::string text = fmt::format("{}\narm \"{}\": {} simulated readings, {} placements, seed {}\n\n",
@@ -169,7 +197,7 @@ std::string summary(const PlanFile& file, const Simulation& simulation, const Re
     }
   }
   const std::string folder = request.folder.ends_with('/') ? request.folder : request.folder + "/";
-  return text + table.text() +
+  return text + table.text() + dilution_text(plan) +
          fmt::format("\nThe recording is {}recording.toml; the truth is in truth-arm.toml and truth.json beside it.\n",
                      folder);
 }

@@ -5,6 +5,7 @@
 #include "acquisition/arm_file.h"
 #include "app/command.h"
 #include "app/command_monte_carlo.h"
+#include "app/identified_arm.h"
 #include "app/output.h"
 #include "app/uncertainty_result.h"
 #include "core/decimal_comma.h"
@@ -48,12 +49,7 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
         "writes one that does",
         file.input.path);
   }
-  UncertaintySources sources;
-  const auto all = all_parameters(file.arm);
-  for (const auto& name : file.identification->parameters) {
-    sources.parameters.push_back(all[find_parameter(all, name)]);
-  }
-  sources.covariance = file.identification->covariance;
+  UncertaintySources sources = uncertainty_sources(file.arm, *file.identification);
   const auto encoder =
       noise_of(request.monte_carlo.choices.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
   const auto probing = noise_of(request.monte_carlo.choices.probing_noise, "--probing-noise", length_quantity, "3 um");
@@ -62,17 +58,16 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
       return tl::unexpected(noise->error());
     }
   }
-  sources.encoder = *encoder;
-  sources.probing = *probing;
   const bool is_stated =
       !request.monte_carlo.choices.encoder_noise.empty() || !request.monte_carlo.choices.probing_noise.empty();
-  if (!is_stated && !file.identification->noise) {
+  if (!is_stated && !file.identification->noise && !file.identification->encoder_noise) {
     return wrong_usage(
         "the arm's file does not say how noisy its readings are; state --encoder-noise and "
         "--probing-noise, such as --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"");
   }
-  if (!is_stated) {
-    sources.probing = *file.identification->noise;
+  if (is_stated) {
+    sources.encoder = *encoder;
+    sources.probing = *probing;
   }
   return sources;
 }

@@ -1,6 +1,7 @@
 #include "app/dcc_identification.h"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -57,12 +58,19 @@ DccResult kept_parameters(const Identification& result) {
   return section;
 }
 
+// By a nominal arm that cannot be evaluated there is no deviation.
+std::vector<DccEntry> finite(std::vector<DccEntry> entries) {
+  std::erase_if(entries, [](const DccEntry& entry) { return !std::isfinite(entry.value); });
+  return entries;
+}
+
 DccResult deviations(const Identification& result) {
-  return {"Deviations of the readings",
-          "Of the same readings that the parameters were identified from. New readings may be further off.",
-          {plain_entry("rms before", result.before.overall.rms), plain_entry("rms after", result.after.overall.rms),
-           plain_entry("largest before", result.before.overall.maximum),
-           plain_entry("largest after", result.after.overall.maximum)}};
+  return {
+      "Deviations of the readings",
+      "Of the same readings that the parameters were identified from. New readings may be further off.",
+      finite({plain_entry("rms before", result.before.overall.rms), plain_entry("rms after", result.after.overall.rms),
+              plain_entry("largest before", result.before.overall.maximum),
+              plain_entry("largest after", result.after.overall.maximum)})};
 }
 
 DccResult lengths(const Identification& result) {

@@ -1,27 +1,33 @@
 #include "app/dcc_verification.h"
 
+#include <algorithm>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "app/artefacts_told.h"
 #include "app/version.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
 
-constexpr double k = 2.0;
 constexpr double probability = 0.95;
 constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* one = "\\one";
 
-// A certificate states no uncertainty of zero: it means that none is known.
-std::optional<DccUncertainty> expanded(double u) {
+constexpr double many = std::numeric_limits<double>::infinity();
+
+// A certificate states no uncertainty of zero: it means that none is known. k is 2, or Student's factor where it is
+// larger for few degrees of freedom (JCGM 100, G.6.4).
+std::optional<DccUncertainty> expanded(double u, double degrees_of_freedom = many) {
+  const double k = std::max(2.0, student_coverage_factor(probability, degrees_of_freedom));
   return u > 0.0 ? std::optional(DccUncertainty{k * u, k, probability}) : std::nullopt;
 }
 
-DccEntry length_entry(const std::string& name, double value, double u = 0.0) {
-  return {name, "", millimetre, value, expanded(u), std::nullopt, ""};
+DccEntry length_entry(const std::string& name, double value, double u = 0.0, double degrees_of_freedom = many) {
+  return {name, "", millimetre, value, expanded(u, degrees_of_freedom), std::nullopt, ""};
 }
 
 std::optional<DccConformity> conformity_of(const TestValue& value) {
@@ -35,7 +41,7 @@ std::optional<DccConformity> conformity_of(const TestValue& value) {
 }
 
 DccEntry value_entry(const TestValue& value, DecisionRule rule) {
-  DccEntry entry = length_entry(label_of(value), value.value, value.budget.total());
+  DccEntry entry = length_entry(label_of(value), value.value, value.budget.total(), value.budget.degrees_of_freedom());
   entry.ref_type = "artcal_testValue";
   if (value.set_aside) {
     entry.name += " (set aside: measured again under the outlier rule)";
@@ -51,7 +57,9 @@ std::vector<DccResult> test_values(const Verification& verification) {
   for (const TestValue& value : verification.values) {
     DccResult& section = sections[value.quantity];
     section.name = name_of(value.quantity);
-    section.description = "U is that of the test value, expanded with k = 2; the arm's scatter is not in it.";
+    section.description =
+        "U is that of the test value, expanded with the k that is stated with it; of the arm's scatter it has what "
+        "the touches leave open about centres and diameters.";
     section.entries.push_back(value_entry(value, verification.rule));
   }
   std::vector<DccResult> all;

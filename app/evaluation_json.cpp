@@ -23,8 +23,14 @@ Json deviation_json(const FeatureDeviation& deviation) {
 }
 
 Json length_json(const LengthDeviation& length) {
-  return {{"artefact", length.first.artefact}, {"placement", length.first.placement}, {"first", length.first.feature},
-          {"second", length.second},           {"certified_mm", length.certified},    {"error_mm", length.error}};
+  return {{"artefact", length.first.artefact},
+          {"placement", length.first.placement},
+          {"first", length.first.feature},
+          {"second", length.second},
+          {"certified_mm", length.certified.value},
+          {"certified_at_C", length.certified.temperature},
+          {"at_temperature_mm", length.at_temperature},
+          {"error_mm", length.error}};
 }
 
 Json features_json(const Evaluation& evaluation) {

@@ -1,5 +1,6 @@
 #include "app/identification_report.h"
 
+#include "app/identified_arm.h"
 #include "app/output.h"
 #include "app/report/report.h"
 #include "app/uncertainty_result.h"
@@ -9,13 +10,7 @@ namespace {
 
 nlohmann::ordered_json expected_uncertainty(const Recording& recording, const IdentifyOptions& options,
                                             const Identification& result) {
-  UncertaintySources sources;
-  for (const int index : result.free) {
-    sources.parameters.push_back(result.parameters[index].parameter);
-  }
-  sources.covariance = result.covariance;
-  sources.encoder = result.enlargement * options.noise.encoder.value_or(0.0);
-  sources.probing = result.enlargement * options.noise.probing.value_or(result.noise);
+  const UncertaintySources sources = uncertainty_sources(result.arm, arm_identification(recording, options, result));
   const VolumeSampling sampling;
   const UncertainArm arm(result.arm, sources);
   return to_json(

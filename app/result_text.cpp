@@ -19,8 +19,9 @@ namespace {
 constexpr std::size_t most_outliers = 10;
 constexpr std::size_t most_lengths = 12;
 
-std::string mm(double value) { return fmt::format("{:.4f}", value); }
-std::string signed_mm(double value) { return fmt::format("{:+.4f}", value); }
+// A value that there is none of, such as a deviation by a nominal arm that cannot be evaluated, is NaN.
+std::string mm(double value) { return std::isfinite(value) ? fmt::format("{:.4f}", value) : "-"; }
+std::string signed_mm(double value) { return std::isfinite(value) ? fmt::format("{:+.4f}", value) : "-"; }
 
 // Names come from files and may be longer than a screen is wide.
 std::string shown(const std::string& name) { return at_most(60, name); }
@@ -78,6 +79,9 @@ std::string summary_text(const Identification& result) {
                 ? "  left out: each placement judged by an arm identified without it. These placements also chose the "
                   "model:\n  new readings may deviate by more\n"
                 : "  left out: each placement judged by an arm identified without it; expect this of new readings\n";
+  } else if (result.after.placements.size() < 2) {
+    text +=
+        "  nothing could be left out for cross-validation: there is one placement; errors elsewhere are not known\n";
   }
   return text + "\n";
 }
@@ -154,7 +158,8 @@ std::string lengths_text(const Identification& result) {
     return {};
   }
   const auto left = unseen_of(result.left_out).lengths;
-  Table table({"certified length", "mm", "error before", "after", left.empty() ? "" : "left out"});
+  Table table({"length", "certified, mm", "at, degC", "at temperature, mm", "error before", "after",
+               left.empty() ? "" : "left out"});
   for (std::size_t i = 0; i < result.after.lengths.size(); ++i) {
     const LengthDeviation& length = result.after.lengths[i];
     const auto same = std::find_if(left.begin(), left.end(), [&](const LengthDeviation& other) {
@@ -163,7 +168,8 @@ std::string lengths_text(const Identification& result) {
     });
     table.add(
         {fmt::format("{} {} - {}", shown(length.first.placement), shown(length.first.feature), shown(length.second)),
-         mm(length.certified), signed_mm(result.before.lengths[i].error), signed_mm(length.error),
+         mm(length.certified.value), fmt::format("{:.4g}", length.certified.temperature), mm(length.at_temperature),
+         signed_mm(result.before.lengths[i].error), signed_mm(length.error),
          same == left.end() ? "" : signed_mm(same->error)});
   }
   return table.text() + "\n";

@@ -98,9 +98,11 @@ nlohmann::ordered_json to_json(const SegmentResult& result) {
     json["distances"].push_back({{"between",
                                   {sphere_name(result, static_cast<std::size_t>(d.first)),
                                    sphere_name(result, static_cast<std::size_t>(d.second))}},
-                                 {"certified_mm", d.certified},
+                                 {"certified_mm", d.certified.value},
+                                 {"certified_at_C", d.certified.temperature},
+                                 {"at_temperature_mm", d.at_temperature},
                                  {"measured_mm", d.measured},
-                                 {"error_mm", d.measured - d.certified}});
+                                 {"error_mm", d.measured - d.at_temperature}});
   }
   json["missing"] = missing_names(result);
   json["rejected"] = Json::array();

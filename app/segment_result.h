@@ -28,10 +28,11 @@ struct SegmentResult {
   std::vector<std::string> warnings;
 };
 
-/// A certified distance between two spheres that were found, mm at the artefact's temperature.
+/// A certified distance between two spheres that were found, mm.
 struct SeenDistance {
-  int first = 0, second = 0;  ///< into SegmentResult::wanted.spheres
-  double certified = 0.0;
+  int first = 0, second = 0;    ///< into SegmentResult::wanted.spheres
+  StatedValue certified;        ///< what the certificate says
+  double at_temperature = 0.0;  ///< what that makes at the artefact's temperature
   double measured = 0.0;
 };
 std::vector<SeenDistance> seen_distances(const SegmentResult& result);

@@ -59,14 +59,15 @@ std::string distances_table(const SegmentResult& result) {
     return "";
   }
   std::stable_sort(distances.begin(), distances.end(), [](const SeenDistance& a, const SeenDistance& b) {
-    return std::abs(a.measured - a.certified) > std::abs(b.measured - b.certified);
+    return std::abs(a.measured - a.at_temperature) > std::abs(b.measured - b.at_temperature);
   });
-  Table table({"distance", "certified", "in the scan", "error"});
+  Table table({"distance", "certified", "at, degC", "at temperature", "in the scan", "error"});
   for (std::size_t i = 0; i < std::min(distances.size(), most_distances); ++i) {
     const SeenDistance& d = distances[i];
     table.add({fmt::format("{} - {}", shown(sphere_name(result, static_cast<std::size_t>(d.first))),
                            shown(sphere_name(result, static_cast<std::size_t>(d.second)))),
-               mm(d.certified), mm(d.measured), fmt::format("{:+.4f}", d.measured - d.certified)});
+               mm(d.certified.value), fmt::format("{:.4g}", d.certified.temperature), mm(d.at_temperature),
+               mm(d.measured), fmt::format("{:+.4f}", d.measured - d.at_temperature)});
   }
   const std::string more = distances.size() > most_distances
                                ? fmt::format("  ({} more, all nearer)\n", distances.size() - most_distances)

@@ -18,9 +18,13 @@ Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json budget_json(const Budget& budget) {
-  return {{"calibration_mm", budget.calibration}, {"expansion_mm", budget.expansion},
-          {"temperature_mm", budget.temperature}, {"alignment_mm", budget.alignment},
-          {"fixture_mm", budget.fixture},         {"form_mm", budget.form}};
+  return {{"calibration_mm", budget.calibration},
+          {"expansion_mm", budget.expansion},
+          {"temperature_mm", budget.temperature},
+          {"alignment_mm", budget.alignment},
+          {"fixture_mm", budget.fixture},
+          {"form_mm", budget.form},
+          {"points_mm", budget.points}};
 }
 
 Json place_json(const Place& place) {
@@ -39,11 +43,15 @@ Json value_json(const TestValue& value) {
           {"second", text_or_null(value.second)},
           {"repeat", value.repeat},
           {"certified_mm", value.certified > 0.0 ? Json(value.certified) : Json(nullptr)},
+          {"stated_mm", value.second.empty() ? Json(nullptr) : Json(value.stated.value)},
+          {"stated_at_C", value.second.empty() ? Json(nullptr) : Json(value.stated.temperature)},
           {"measured_mm", value.measured},
           {"value_mm", value.value},
           {"temperature_C", number_or_null(value.temperature)},
           {"limit_mm", value.limit ? Json(*value.limit) : Json(nullptr)},
           {"u_mm", value.budget.total()},
+          {"degrees_of_freedom", number_or_null(value.budget.degrees_of_freedom())},
+          {"dilution", value.dilution.worst > 0.0 ? Json(value.dilution.worst) : Json(nullptr)},
           {"budget", budget_json(value.budget)},
           {"verdict", result_name(value.verdict)},
           {"set_aside", value.set_aside},

@@ -31,7 +31,9 @@ Expected<void> read_artefacts_and_tips(const VerificationSources& sources, Verif
     return tl::unexpected(with_warnings(constraints.error(), material.recording.warnings));
   }
   material.constraints = std::move(*constraints);
-  auto tips = other != nullptr ? tip_centres(material.recording, *other) : tip_centres(material.recording);
+  const auto& known = material.other_identification;
+  auto tips = other != nullptr ? tip_centres(material.recording, *other, known ? &*known : nullptr)
+                               : tip_centres(material.recording);
   if (!tips) {
     return tl::unexpected(with_warnings(tips.error(), material.recording.warnings));
   }

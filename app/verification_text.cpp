@@ -80,12 +80,32 @@ std::string interim_answer(const InterimCheck& check) {
                                  : "NO SIGNIFICANT DRIFT";
 }
 
+std::string list_text(const char* heading, const std::vector<std::string>& lines) {
+  std::string text;
+  for (const auto& line : lines) {
+    text += fmt::format("  {}\n", line);
+  }
+  return text.empty() ? text : fmt::format("{}\n{}\n", heading, text);
+}
+
+// What cannot be, waived or not: a verdict by it would look right.
+std::vector<std::string> implausible(const Verification& verification) {
+  const std::string mark = fmt::format("[{}]", name_of(Evidence::PlausibleValues));
+  std::vector<std::string> lines;
+  for (const auto* list : {&verification.missing, &verification.waived}) {
+    std::copy_if(list->begin(), list->end(), std::back_inserter(lines),
+                 [&](const std::string& text) { return text.ends_with(mark); });
+  }
+  return lines;
+}
+
 std::string title_text(const Session& session, const Verification& verification) {
   const std::string by = session.tips.source == TipSource::Reported
                              ? "coordinates as the arm's own software reported them"
                              : "coordinates from joint angles";
-  return fmt::format("{}\narm {}: {} readings, {}\n\n{}: {}\n  specification: {}; decision rule: {}\n\n",
+  return fmt::format("{}\narm {}: {} readings, {}\n\n{}{}: {}\n  specification: {}; decision rule: {}\n\n",
                      shown(session.recording.name), in_quotes(session.arm.name), session.recording.readings.size(), by,
+                     list_text("Implausible values:", implausible(verification)),
                      standard_in_words(verification.standard), answer(verification),
                      session.specification.name.empty() ? "none" : in_quotes(session.specification.name),
                      text_of(verification.rule));
@@ -106,14 +126,6 @@ std::string summary_text(const Verification& verification) {
     }
   }
   return table.text() + "  Worst: the value with the largest share of its limit (without a limit, the largest).\n\n";
-}
-
-std::string list_text(const char* heading, const std::vector<std::string>& lines) {
-  std::string text;
-  for (const auto& line : lines) {
-    text += fmt::format("  {}\n", line);
-  }
-  return text.empty() ? text : fmt::format("{}\n{}\n", heading, text);
 }
 
 // All in their order; or the worst first: whatever does not conform and, up to a dozen, those nearest to their limit.
@@ -142,12 +154,15 @@ std::vector<const TestValue*> to_show(const Verification& verification, Quantity
 std::string values_text(const Verification& verification, Quantity quantity, bool all) {
   const bool is_length =
       quantity == Quantity::LengthUni || quantity == Quantity::LengthBi || quantity == Quantity::Volumetric;
-  Table table({symbol_of(quantity), is_length ? "certified, mm" : "", "value, um", "limit", "u", "verdict", "where"});
+  Table table({symbol_of(quantity), is_length ? "certified, mm" : "", is_length ? "at, degC" : "",
+               is_length ? "at reference, mm" : "", "value, um", "limit", "u", "verdict", "where"});
   const auto values = to_show(verification, quantity, all);
   for (const TestValue* value : values) {
     const std::string features = shown(value->first) + (value->second.empty() ? "" : " - " + shown(value->second));
     const std::string repeat = value->repeat.empty() ? "" : ", " + shown(value->repeat);
     table.add({fmt::format("{}: {}{}", shown(value->placement), features, repeat),
+               is_length ? fmt::format("{:.4f}", value->stated.value) : "",
+               is_length ? fmt::format("{:.4g}", value->stated.temperature) : "",
                is_length ? fmt::format("{:.4f}", value->certified) : "", value_text(*value), limit_text(*value),
                fmt::format("{:.2f}", value->budget.total() / units::micrometre), verdict_text(*value),
                text_of(value->place)});

@@ -51,13 +51,20 @@ struct CertifiedFeature {
   double u = 0.0;                         ///< of what each reading brings (length or coordinate), mm
 };
 
+/// A value as its certificate states it, before it was brought to the reference temperature.
+struct StatedValue {
+  double value = 0.0;        ///< mm
+  double temperature = 0.0;  ///< at which it holds, °C
+};
+
 /// A certified distance between two features' points or centres, or between two parallel planes, mm at the
 /// reference temperature.
 struct CertifiedDistance {
   int first = 0;  ///< into Artefact::features
   int second = 0;
   double value = 0.0;
-  double u = 0.0;  ///< standard uncertainty, U/k
+  double u = 0.0;                          ///< standard uncertainty, U/k
+  std::optional<StatedValue> stated = {};  ///< absent: `value`, at the reference temperature
 };
 
 /// The paper behind the numbers. Texts as they stand there; empty where the file does not say.
@@ -89,6 +96,10 @@ struct Artefact {
   /// L(T)/L(reference) = 1 + α·(T − reference).
   [[nodiscard]] double expansion_factor(double temperature) const {
     return 1.0 + expansion * (temperature - reference_temperature);
+  }
+  /// What the certificate says of a distance.
+  [[nodiscard]] StatedValue stated(const CertifiedDistance& distance) const {
+    return distance.stated.value_or(StatedValue{distance.value, reference_temperature});
   }
 };
 

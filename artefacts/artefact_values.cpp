@@ -196,7 +196,8 @@ TemperatureConversion conversion_at(TomlTable& table, std::string_view key, doub
   } else if (std::abs(difference) > 100.0) {
     table.fail(key, fmt::format("{} degC is no temperature at which artefacts are calibrated", temperature));
   }
-  return {1.0 / (1.0 + values.expansion.value_or(0.0) * difference), std::abs(difference) * values.u_expansion};
+  return {1.0 / (1.0 + values.expansion.value_or(0.0) * difference), std::abs(difference) * values.u_expansion,
+          temperature};
 }
 
 TemperatureConversion read_conversion(TomlTable& table, const ArtefactValues& values) {

@@ -62,7 +62,8 @@ std::optional<double> read_uncertainty(TomlTable& table, const ArtefactValues& v
 /// A factor on lengths that were stated at a temperature of their own, and what it adds to their uncertainty.
 struct TemperatureConversion {
   double factor = 1.0;
-  double relative_u = 0.0;  ///< standard uncertainty of the factor: |T − reference|·u(α)
+  double relative_u = 0.0;            ///< standard uncertainty of the factor: |T − reference|·u(α)
+  std::optional<double> temperature;  ///< at which they were stated, where it is not the reference, °C
 };
 
 /// From `temperature` (°C) to the reference; what is wrong with it is noted at `key`. Away from the reference

@@ -9,6 +9,7 @@
 #include "artefacts/certificate.h"
 #include "artefacts/certified_planes.h"
 #include "artefacts/placement_temperatures.h"
+#include "artefacts/plausibility.h"
 #include "artefacts/unknowns.h"
 #include "core/in_quotes.h"
 
@@ -111,9 +112,9 @@ void add_distances(Constraints& constraints, const std::map<Key, int>& index, co
       if (first == index.end() || second == index.end()) {
         continue;
       }
-      constraints.distances.push_back({first->second, second->second,
-                                       distance.value * artefact.expansion_factor(temperature),
-                                       uncertainty_at(distance, artefact, temperature)});
+      constraints.distances.push_back(
+          {first->second, second->second, distance.value * artefact.expansion_factor(temperature),
+           uncertainty_at(distance, artefact, temperature), true, artefact.stated(distance)});
     }
   }
 }
@@ -167,6 +168,14 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
   }
   add_distances(constraints, index, means);
   warn_of_temperatures(constraints, means);
+  for (const Artefact& artefact : constraints.artefacts) {
+    for (auto& warning : implausible_values(artefact)) {
+      constraints.warnings.push_back(std::move(warning));
+    }
+  }
+  for (auto& warning : implausible_values(recording)) {
+    constraints.warnings.push_back(std::move(warning));
+  }
   for (auto& warning : certificate_warnings(constraints.artefacts, recording.date)) {
     constraints.warnings.push_back(std::move(warning));
   }

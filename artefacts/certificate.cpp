@@ -8,6 +8,10 @@ namespace artcal {
 
 namespace {
 
+std::string number_of(const Certificate& certificate) {
+  return certificate.number.empty() ? "" : " " + in_quotes(certificate.number);
+}
+
 void check_same(TomlTable& table, std::string_view key, const std::string& stated, const std::string& digital) {
   if (!digital.empty() && stated != digital) {
     table.fail(key, fmt::format("`{}` is {}, but the digital certificate says {}; is it another certificate?", key,
@@ -32,23 +36,32 @@ Certificate read_certificate(TomlTable table, const Certificate& digital) {
   return certificate;
 }
 
+std::string lapsed_text(const Artefact& artefact, const std::string& day) {
+  const Certificate& certificate = artefact.certificate;
+  return certificate.valid_until.empty() || certificate.valid_until >= day
+             ? ""
+             : fmt::format(
+                   "the certificate{} of the artefact {} had lapsed: it was valid until {}, the readings are of {}",
+                   number_of(certificate), in_quotes(artefact.name), certificate.valid_until, day);
+}
+
+std::string not_yet_valid_text(const Artefact& artefact, const std::string& day) {
+  const Certificate& certificate = artefact.certificate;
+  return certificate.date <= day
+             ? ""
+             : fmt::format(
+                   "the certificate{} of the artefact {} was not yet valid: it was calibrated on {}, after the "
+                   "readings of {}",
+                   number_of(certificate), in_quotes(artefact.name), certificate.date, day);
+}
+
 std::vector<std::string> certificate_warnings(const std::vector<Artefact>& artefacts, const std::string& day) {
   std::vector<std::string> warnings;
-  if (day.empty()) {
-    return warnings;
-  }
   for (const Artefact& artefact : artefacts) {
-    const Certificate& certificate = artefact.certificate;
-    const std::string number = certificate.number.empty() ? "" : " " + in_quotes(certificate.number);
-    if (!certificate.valid_until.empty() && certificate.valid_until < day) {
-      warnings.push_back(
-          fmt::format("the certificate{} of the artefact {} had lapsed: it was valid until {}, the readings "
-                      "are of {}",
-                      number, in_quotes(artefact.name), certificate.valid_until, day));
-    }
-    if (!certificate.date.empty() && certificate.date > day) {
-      warnings.push_back(fmt::format("the artefact {} was calibrated on {} (certificate{}), after the readings of {}",
-                                     in_quotes(artefact.name), certificate.date, number, day));
+    for (auto& text : {lapsed_text(artefact, day), not_yet_valid_text(artefact, day)}) {
+      if (!day.empty() && !text.empty()) {
+        warnings.push_back(text);
+      }
     }
   }
   return warnings;

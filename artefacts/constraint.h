@@ -73,9 +73,10 @@ struct FeatureConstraint {
 struct DistanceConstraint {
   int first = 0;  ///< into Constraints::features
   int second = 0;
-  double value = 0.0;  ///< mm at the temperature of the placement
-  double u = 0.0;      ///< standard uncertainty, mm
-  bool binds = true;   ///< no end is certified; otherwise their coordinates say it already
+  double value = 0.0;          ///< mm at the temperature of the placement
+  double u = 0.0;              ///< standard uncertainty, mm
+  bool binds = true;           ///< no end is certified; otherwise their coordinates say it already
+  StatedValue certified = {};  ///< what the certificate says
 };
 
 /// Unknowns that hang together and with nothing else but the arm and what is shared: the points of one bar

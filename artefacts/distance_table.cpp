@@ -44,6 +44,9 @@ CertifiedDistance make_distance(TomlTable& table, const char* value_key, const A
                                 const ArtefactValues& values, int first, int second, double value,
                                 const CertifiedUncertainty& certified, const TemperatureConversion& conversion) {
   CertifiedDistance distance{first, second, value * conversion.factor, 1.0};
+  if (conversion.temperature) {
+    distance.stated = StatedValue{value, *conversion.temperature};
+  }
   if (distance.value <= 0.0) {
     table.fail(value_key, "a certified distance is not above zero");
     return distance;

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include "artefacts/artefact_file.h"
+#include "artefacts/coincident_readings.h"
+#include "artefacts/constraint.h"
+#include "artefacts/scan_readings.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -38,6 +41,7 @@ Expected<Constraints> read_with(Recording& recording, const ScanSelection& selec
   if (auto read = read_scans(recording, artefacts, selection); !read) {
     return tl::unexpected(read.error());
   }
+  drop_coincident_readings(recording, artefacts);
   return build_constraints(recording, std::move(artefacts));
 }
 

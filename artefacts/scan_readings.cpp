@@ -1,5 +1,6 @@
 #include "artefacts/scan_readings.h"
 
+#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
@@ -160,9 +161,11 @@ Expected<void> read_scan(Recording& recording, const RecordedScan& scan, const s
 
 Expected<void> read_scans(Recording& recording, const std::vector<Artefact>& artefacts,
                           const ScanSelection& selection) {
-  std::set<std::string> paths;
+  std::set<std::filesystem::path> paths;
   for (const RecordedScan& scan : recording.scans) {
-    if (!paths.insert(scan.path).second) {
+    std::error_code error;
+    const auto whole = std::filesystem::weakly_canonical(scan.path, error);
+    if (!paths.insert(error ? std::filesystem::path(scan.path) : whole).second) {
       return bad_input(fmt::format("the scan {} is named twice; its points would count twice", in_quotes(scan.path)),
                        scan.where);
     }

@@ -77,6 +77,13 @@ Expected<PointCloud> cloud_of(const RecordedScan& scan, const Arm& arm, const Sc
   return cloud;
 }
 
+// Of the tip, by the arm that is judged where there is one; it may have been identified.
+double radius_of(const Recording& recording, int probe, const Arm* judged) {
+  const Probe& named = recording.arm.probes[static_cast<std::size_t>(probe)];
+  const int index = judged != nullptr ? probe_index(*judged, named.name) : -1;
+  return index < 0 ? named.radius : judged->probes[static_cast<std::size_t>(index)].radius;
+}
+
 // By the arm that is given, or the recording's own; as reported where there are no joint angles.
 Expected<Eigen::Matrix3Xd> tips_in_base(const Recording& recording, const RecordedScan& scan, const PointCloud& cloud,
                                         int probe, const Arm* arm) {
@@ -85,6 +92,9 @@ Expected<Eigen::Matrix3Xd> tips_in_base(const Recording& recording, const Record
   }
   Recording posed;
   posed.arm = recording.arm;
+  for (int i = 0; i < static_cast<int>(posed.arm.probes.size()); ++i) {
+    posed.arm.probes[static_cast<std::size_t>(i)].radius = radius_of(recording, i, arm);
+  }
   posed.files = {scan.path};
   posed.joints = cloud.joints;
   Reading reading;
@@ -148,7 +158,7 @@ Expected<ScanSource> open_scan(const Recording& recording, const RecordedScan& s
     return tl::unexpected(probe.error());
   }
   source.probe = *probe;
-  auto wanted = wanted_of(scan, *source.artefact, recording.arm.probes[static_cast<std::size_t>(*probe)].radius);
+  auto wanted = wanted_of(scan, *source.artefact, radius_of(recording, *probe, selection.arm));
   if (!wanted) {
     return tl::unexpected(wanted.error());
   }

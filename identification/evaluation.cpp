@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <Eigen/Cholesky>
@@ -154,10 +155,28 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
       variance += variance_of_point(all[end], measured[end].point_in_base, along);
     }
     evaluation.lengths.push_back({name_of(first, constraints, recording),
-                                  name_of(second, constraints, recording).feature, distance.value,
+                                  name_of(second, constraints, recording).feature, distance.certified, distance.value,
                                   length - distance.value, distance.u, std::sqrt(variance)});
   }
   return evaluation;
+}
+
+Evaluation not_evaluated(Evaluation like) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (auto* deviations : {&like.features, &like.placements, &like.artefacts}) {
+    for (FeatureDeviation& deviation : *deviations) {
+      deviation.rms = deviation.maximum = none;
+    }
+  }
+  like.overall.rms = like.overall.maximum = none;
+  for (LengthDeviation& length : like.lengths) {
+    length.error = none;
+  }
+  like.deviations.assign(like.deviations.size(), none);
+  for (auto* vectors : {&like.tips, &like.offsets, &like.points}) {
+    vectors->assign(vectors->size(), Eigen::Vector3d::Constant(none));
+  }
+  return like;
 }
 
 }  // namespace artcal

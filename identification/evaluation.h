@@ -23,11 +23,12 @@ struct FeatureDeviation {
 /// between two parallel planes along the normal that all readings of both have in common.
 struct LengthDeviation {
   FeatureName first;
-  std::string second;      ///< the other feature, same artefact and placement
-  double certified = 0.0;  ///< at the temperature of the placement
-  double error = 0.0;      ///< measured − certified
-  double u = 0.0;          ///< standard uncertainty of the certified value, mm
-  double gain = 0.0;       ///< standard deviation of the measured length per standard deviation of one reading
+  std::string second;           ///< the other feature, same artefact and placement
+  StatedValue certified;        ///< what the certificate says
+  double at_temperature = 0.0;  ///< what that makes at the temperature of the placement
+  double error = 0.0;           ///< measured − at_temperature
+  double u = 0.0;               ///< standard uncertainty of the certified value, mm
+  double gain = 0.0;            ///< standard deviation of the measured length per standard deviation of one reading
 };
 
 /// How well an arm explains readings. Each feature is fitted by itself from the arm's points, so that a
@@ -47,5 +48,8 @@ struct Evaluation {
 };
 
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm);
+
+/// The shape of an evaluation with NaN for every number that an arm has part in: of an arm that cannot be evaluated.
+Evaluation not_evaluated(Evaluation like);
 
 }  // namespace artcal

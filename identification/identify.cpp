@@ -111,9 +111,6 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(common.error());
   }
   const auto before = evaluate(recording, constraints, recording.arm);
-  if (!before) {
-    return tl::unexpected(before.error());
-  }
   Identification result;
   result.arm = fit->arm;
   result.model = options.model;
@@ -133,7 +130,14 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(sensible.error());
   }
   result.artefact_values = describe_artefacts(constraints, *fit, *common, result.enlargement);
-  result.before = *before;
+  // A nominal arm so far off that nothing can be fitted to its points says nothing against the identified one.
+  result.before = before ? *before : not_evaluated(found->after);
+  if (!before) {
+    result.warnings.push_back(
+        "the nominal arm cannot be evaluated by these readings, so that there is nothing to compare "
+        "the identified one with: " +
+        before.error().message);
+  }
   result.after = std::move(found->after);
   result.alignment = found->alignment;
   result.attempts = found->attempt;

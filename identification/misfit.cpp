@@ -75,7 +75,7 @@ void judge_lengths(const ArmFit& fit, const Evaluation& after, const Noise& nois
           "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.7g} mm, {:.3g} times "
           "its standard uncertainty",
           in_quotes(length.first.feature), in_quotes(length.second), in_quotes(length.first.placement), length.error,
-          length.certified, ratio);
+          length.at_temperature, ratio);
     }
   }
   if (!said.empty()) {

@@ -108,9 +108,10 @@ void add_recording(StoreRows& rows, const std::string& key, const std::string& o
 void add_identification(StoreRows& rows, const std::string& key, const Identification& result) {
   rows[StoreTable::Identifications].push_back(
       {key, whole(result.coupling.rank), result.noise, whole(result.noise_is_given), result.chi_squared,
-       whole(result.degrees_of_freedom), result.enlargement, result.before.overall.rms, result.before.overall.maximum,
-       result.after.overall.rms, result.after.overall.maximum, rms_left_out(result), whole(result.outliers.size()),
-       lower_triangle(result.covariance), arm_file_text(result.arm, std::nullopt)});
+       whole(result.degrees_of_freedom), result.enlargement, number_or_null(result.before.overall.rms),
+       number_or_null(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
+       rms_left_out(result), whole(result.outliers.size()), lower_triangle(result.covariance),
+       arm_file_text(result.arm, std::nullopt)});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const IdentifiedParameter& parameter = result.parameters[i];
     const bool identified = parameter.state == ParameterState::Identified;

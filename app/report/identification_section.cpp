@@ -32,7 +32,8 @@ struct LeftOut {
 double worst_error(const Json& lengths) {
   double worst = 0.0;
   for (const Json& length : lengths) {
-    const double error = length.at("error_mm");
+    const double error = number_in(length.at("error_mm"));
+    worst = std::isnan(error) ? error : worst;
     worst = std::abs(error) > std::abs(worst) ? error : worst;
   }
   return worst;
@@ -69,9 +70,9 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
   html::Table table("Deviation of the readings, mm",
                     {{"", false, true}, {"before"}, {"after"}, {"placement left out", true, false, false, true}});
-  table.add({"root mean square", mm(before.at("overall").at("rms_mm")), mm(after.at("overall").at("rms_mm")),
+  table.add({"root mean square", mm(number_in(before.at("overall").at("rms_mm"))), mm(after.at("overall").at("rms_mm")),
              left_or_dash(left.rms)});
-  table.add({"largest", mm(before.at("overall").at("maximum_mm")), mm(after.at("overall").at("maximum_mm")),
+  table.add({"largest", mm(number_in(before.at("overall").at("maximum_mm"))), mm(after.at("overall").at("maximum_mm")),
              left_or_dash(left.maximum)});
   if (!after.at("lengths").empty()) {
     table.add({"worst certified length, error", signed_mm(worst_error(before.at("lengths"))),
@@ -106,7 +107,7 @@ void write_placements(const Json& result, Sheet& sheet) {
                                  : left->second->at("refusal").is_null() ? mm(left->second->at("rms_mm"))
                                                                          : "not possible";
     table.add({shown(text_in(row, "artefact")), shown(text_in(row, "placement")),
-               fmt::format("{}", row.at("readings").get<std::size_t>()), mm(before.at(i).at("rms_mm")),
+               fmt::format("{}", row.at("readings").get<std::size_t>()), mm(number_in(before.at(i).at("rms_mm"))),
                mm(row.at("rms_mm")), mm(row.at("maximum_mm")), left_rms});
   }
   sheet.table(table);
@@ -197,8 +198,9 @@ void write_identification_verdict(const Json& result, Sheet& sheet) {
   std::string text = fmt::format(
       "{} of {} parameters. Readings deviate by {} mm rms, {} mm at most; by the nominal arm {} mm and {} mm.",
       identified_count(result), result.at("parameters").size(), mm(result.at("after").at("overall").at("rms_mm")),
-      mm(result.at("after").at("overall").at("maximum_mm")), mm(result.at("before").at("overall").at("rms_mm")),
-      mm(result.at("before").at("overall").at("maximum_mm")));
+      mm(result.at("after").at("overall").at("maximum_mm")),
+      mm(number_in(result.at("before").at("overall").at("rms_mm"))),
+      mm(number_in(result.at("before").at("overall").at("maximum_mm"))));
   if (left.readings > 0) {
     const Json& model = result.at("model");
     const bool chose = model.contains("chosen_by_left_out") && model.at("chosen_by_left_out").get<bool>();
@@ -213,8 +215,18 @@ void write_identification_verdict(const Json& result, Sheet& sheet) {
     const std::string second = outliers > 0 ? plural(outliers, "outlying reading") : "";
     text += fmt::format(" See {}{}{} below.", first, warnings > 0 && outliers > 0 ? " and " : "", second);
   }
-  const bool clear = warnings + outliers == 0;
-  sheet.verdict(clear ? Mood::Good : Mood::Unsure, clear ? "✓ Identified" : "⚠ Identified, with reservations", text);
+  if (left.readings == 0) {
+    text += result.at("after").at("placements").size() < 2
+                ? " Nothing could be left out for cross-validation, for there is one placement: what the arm measures "
+                  "elsewhere is not known."
+                : " Nothing was left out for cross-validation: what the arm measures elsewhere is not known.";
+  }
+  const bool clear = warnings + outliers == 0 && left.readings > 0;
+  sheet.verdict(clear ? Mood::Good : Mood::Unsure,
+                clear                      ? "✓ Identified"
+                : warnings + outliers == 0 ? "⚠ Identified; nothing could be left out"
+                                           : "⚠ Identified, with reservations",
+                text);
 }
 
 void write_identification(const Json& result, Sheet& sheet) {

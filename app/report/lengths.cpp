@@ -34,6 +34,17 @@ std::map<LengthKey, const Json*> left_out_lengths(const Json& left_out) {
   return lengths;
 }
 
+// Results of earlier versions have the length at the temperature of the placement alone, as `certified_mm`.
+double at_temperature(const Json& length) {
+  return length.contains("at_temperature_mm") ? length.at("at_temperature_mm") : length.at("certified_mm");
+}
+std::string certified(const Json& length) {
+  return length.contains("certified_at_C") ? mm(length.at("certified_mm")) : "–";
+}
+std::string certified_at(const Json& length) {
+  return length.contains("certified_at_C") ? fmt::format("{:.4g}", length.at("certified_at_C").get<double>()) : "–";
+}
+
 Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
   double largest = 0.0;
   for (const Json& length : after) {
@@ -48,7 +59,7 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
   Json x = Json::array(), fitted = Json::array(), unseen = Json::array(), names = Json::array();
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Json& length = after[i];
-    x.push_back(length.at("certified_mm"));
+    x.push_back(at_temperature(length));
     fitted.push_back(drawn(unit.per_mm * length.at("error_mm").get<double>()));
     unseen.push_back(left_out[i] == nullptr ? Json(nullptr)
                                             : drawn(unit.per_mm * left_out[i]->at("error_mm").get<double>()));
@@ -77,6 +88,8 @@ void write_length_errors(const Json& identification, Sheet& sheet) {
                     {{"placement", false, true},
                      {"between", false},
                      {"certified"},
+                     {"at, °C"},
+                     {"at temperature"},
                      {"before"},
                      {"after"},
                      {"left out", true, false, false, true}});
@@ -87,8 +100,9 @@ void write_length_errors(const Json& identification, Sheet& sheet) {
     const auto left = without_placement.find(key_of(length));
     left_out.push_back(left == without_placement.end() ? nullptr : left->second);
     table.add({shown(text_in(length, "placement")),
-               shown(text_in(length, "first")) + " – " + shown(text_in(length, "second")),
-               mm(length.at("certified_mm")), signed_mm(before.at(i).at("error_mm")), signed_mm(length.at("error_mm")),
+               shown(text_in(length, "first")) + " – " + shown(text_in(length, "second")), certified(length),
+               certified_at(length), mm(at_temperature(length)), signed_mm(number_in(before.at(i).at("error_mm"))),
+               signed_mm(length.at("error_mm")),
                left_out.back() == nullptr ? "–" : signed_mm(left_out.back()->at("error_mm"))});
   }
   sheet.part("Certified lengths");

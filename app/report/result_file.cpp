@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/json_file.h"
+#include "artefacts/verification/specification.h"
 #include "core/in_quotes.h"
 #include "core/size_limits.h"
 #include "core/text_file.h"
@@ -25,6 +26,23 @@ std::optional<ResultKind> kind_named(const std::string& name) {
     return ResultKind::MonteCarlo;
   }
   return name == "uncertainty" ? std::optional(ResultKind::Uncertainty) : std::nullopt;
+}
+
+// The first name of a quantity that no verification has; empty where all are known. What is no list of values is told
+// when it is written.
+std::string unknown_quantity(const Json& json) {
+  if (!json.contains("values") || !json["values"].is_array()) {
+    return {};
+  }
+  for (const Json& value : json["values"]) {
+    if (value.is_object() && value.contains("quantity") && value["quantity"].is_string()) {
+      const auto name = value["quantity"].get<std::string>();
+      if (!quantity_named(name)) {
+        return name.empty() ? "(none)" : name;
+      }
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -57,6 +75,13 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
   }
   if (json["schema_version"] != 1) {
     return bad_input("this result has a schema_version that this version of artcal does not read, expected 1", path);
+  }
+  if (const std::string unknown = *kind == ResultKind::Verification ? unknown_quantity(json) : ""; !unknown.empty()) {
+    return bad_input(
+        fmt::format("a value of this verification is of the quantity {}, expected {}; was the file made by a "
+                    "later version?",
+                    in_quotes(unknown), quantity_names()),
+        path);
   }
   inputs.push_back({path, file->sha256});
   return ReportedResult{*kind, std::move(json), path};

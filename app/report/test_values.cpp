@@ -64,6 +64,16 @@ std::string where_limits_differ(const std::vector<const ValuesOfQuantity*>& leng
   return text;
 }
 
+// Results of earlier versions, and diameters, have the value at the reference temperature alone.
+double stated(const Json& value) {
+  const double stated = value.contains("stated_mm") ? number_in(value.at("stated_mm")) : NAN;
+  return std::isfinite(stated) ? stated : number_in(value.at("certified_mm"));
+}
+std::string stated_at(const Json& value) {
+  const double temperature = value.contains("stated_at_C") ? number_in(value.at("stated_at_C")) : NAN;
+  return std::isfinite(temperature) ? fmt::format("{:.4g}", temperature) : "–";
+}
+
 // All in their order, or the most severe first.
 std::vector<const Json*> rows_of(const ValuesOfQuantity& quantity) {
   std::vector<const Json*> rows = quantity.values;
@@ -222,6 +232,8 @@ void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
                      {lengths ? "between" : "feature", false},
                      {"repeat", false, false, false, true},
                      {"certified, mm"},
+                     {"at, °C"},
+                     {"at reference, mm"},
                      {"value", true, false, false, false, true},
                      {"limit"},
                      {"u"},
@@ -235,6 +247,8 @@ void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
     const auto cells = {html::cell(or_dash(name)),
                         html::cell(features_of(value)),
                         html::cell(shown(or_dash(text_in(value, "repeat")))),
+                        html::cell(mm(stated(value))),
+                        html::cell(stated_at(value)),
                         html::text(mm(number_in(value.at("certified_mm")))),
                         html::text(value_in_words(value)),
                         limit_in_words(value),

@@ -1,14 +1,19 @@
 #include "artefacts/simulation/pattern.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "core/units.h"
 
 namespace artcal {
 namespace {
+
+constexpr double golden_angle = 2.39996322972865332;  // rad, π·(3 − √5)
 
 Eigen::Vector3d from_pole(double polar, double azimuth) {
   return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
@@ -36,6 +41,15 @@ std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, R
   std::vector<Eigen::Vector3d> directions;
   if (probing.pattern == Pattern::Iso25) {
     directions = iso_directions();
+  } else if (!probing.scan) {
+    // Systematic in the height and by the golden angle about the pole (a spherical Fibonacci lattice), from a random
+    // start: each point is uniform over the cap, and however few they are, they do not crowd on a part of it.
+    const double start = random.uniform();
+    const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+    for (int i = 0; i < probing.points; ++i) {
+      const double height = 1.0 - (1.0 - std::cos(probing.cap)) * (i + start) / probing.points;
+      directions.push_back(from_pole(std::acos(height), azimuth + golden_angle * i));
+    }
   } else {
     for (int i = 0; i < probing.points; ++i) {
       // Equal steps of the height are equal areas of a sphere.
@@ -48,6 +62,20 @@ std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, R
     direction = (base_from_pole * direction).normalized();
   }
   return directions;
+}
+
+double centre_dilution(const std::vector<Eigen::Vector3d>& directions) {
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  for (const Eigen::Vector3d& direction : directions) {
+    const Eigen::Vector4d row = direction.homogeneous();
+    normal += row * row.transpose();
+  }
+  const Eigen::FullPivLU<Eigen::Matrix4d> factor(normal);
+  if (!factor.isInvertible()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Eigen::Matrix3d of_centre = factor.inverse().topLeftCorner<3, 3>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(of_centre).eigenvalues()(2));
 }
 
 std::vector<Eigen::Vector2d> places_on_plane(const PlannedProbing& probing, RandomStream& random) {

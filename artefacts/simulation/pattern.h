@@ -14,8 +14,12 @@ namespace artcal {
 std::vector<Eigen::Vector3d> iso_directions();
 
 /// Unit directions from a ball's centre to where it is touched, in the base frame. Iso25: iso_directions() about the
-/// probing's pole. Spread: uniform over the cap.
+/// probing's pole. Spread: uniform over the cap and evenly spaced; of a scan at random.
 std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, RandomStream& random);
+
+/// Standard deviation of a ball's centre in its worst direction over that of one touch, where its diameter is fitted
+/// too (docs/verification.md); infinite where the touches do not determine it.
+double centre_dilution(const std::vector<Eigen::Vector3d>& directions);
 
 /// Places on a plane's rectangle, uniform, in the frame of the plane's normal: (x, y) of two unit vectors
 /// across it, mm.

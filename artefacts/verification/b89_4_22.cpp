@@ -9,6 +9,8 @@
 #include "artefacts/verification/conditions.h"
 #include "artefacts/verification/length_tests.h"
 #include "artefacts/verification/measured.h"
+#include "artefacts/verification/plausibility_of_test.h"
+#include "artefacts/verification/point_uncertainty.h"
 #include "artefacts/verification/sphere_tests.h"
 #include "artefacts/verification/traceability.h"
 #include "core/in_quotes.h"
@@ -46,6 +48,9 @@ void add_effective_diameter(const Session& session, const Touched& touched, Veri
   value.certified = 2.0 * *ball.radius;
   value.measured = measured->diameter / expansion_factor_or_one(artefact, value.temperature);
   value.value = value.measured - value.certified;
+  const double of_radius = std::sqrt(measured->cofactor(3, 3));
+  value.dilution.add(measured->kind, 2.0 * of_radius, of_radius, ball.name);
+  verification.scatter(measured->kind).add(measured->squares, measured->degrees_of_freedom);
   value.budget.calibration = 2.0 * ball.u_radius;
   value.budget = with_thermal(value.budget, value.certified, thermal_state(session, artefact, value.temperature));
   judge(value, session.specification);
@@ -126,8 +131,9 @@ void check_plan(const Session& session, B89Verification& result) {
   for (const Articulation& articulation : result.articulations) {
     positions.insert(articulation.placement);
     if (articulation.readings < plan.articulation_readings) {
-      missing.push_back(fmt::format("SPAT, placement {}: {} of {} readings", in_quotes(articulation.placement),
-                                    articulation.readings, plan.articulation_readings));
+      report_missing(result.verification, session.specification, Evidence::DistinctPoints,
+                     fmt::format("SPAT, placement {}: {} of {} readings of their own",
+                                 in_quotes(articulation.placement), articulation.readings, plan.articulation_readings));
     }
   }
   ask(diameters, plan.effective_diameter_repeats, "effective diameter, times measured");
@@ -158,8 +164,10 @@ Expected<B89Verification> verify_b89_4_22(const Session& session) {
              ? "there is neither a single ball, nor a single seat, nor a certified length with both ends read"
              : verification.missing.front()));
   }
+  add_point_uncertainties(session, verification);
   result.volumetric = volumetric_summary(verification);
   check_plan(session, result);
+  check_plausibility(session, verification);
   check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);

@@ -1,19 +1,25 @@
 #pragma once
 
+#include <limits>
+
 namespace artcal {
 
 /// Standard uncertainty of a test value, after ISO/TS 23165, by its parts (mm): what the test itself adds,
 /// not what the machine does.
-///     u²(E) = u²(cal) + u²(α) + u²(t) + u²(align) + u²(fixture)
+///     u²(E) = u²(cal) + u²(α) + u²(t) + u²(align) + u²(fixture) + u²(points)
 struct Budget {
   double calibration = 0.0;  ///< u(cal) = U/k of the certificate
   double expansion = 0.0;    ///< u(α) = L·|T − T_ref|·u(α)
   double temperature = 0.0;  ///< u(t) = L·α·u(T)
   double alignment = 0.0;
   double fixture = 0.0;
-  double form = 0.0;  ///< of the ball: √((F/2)² + u²(F))
+  double form = 0.0;    ///< of the ball: √((F/2)² + u²(F))
+  double points = 0.0;  ///< how well the touches determine centres and diameters (point_scatter.h)
+  double points_freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of u(points)
 
   [[nodiscard]] double total() const;
+  /// Effective degrees of freedom of the total (Welch, Satterthwaite); all parts but u(points) are known exactly.
+  [[nodiscard]] double degrees_of_freedom() const;
 };
 
 /// What is known of the artefact and the day.

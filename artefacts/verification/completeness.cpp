@@ -6,12 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "acquisition/tip_centres.h"
 #include "artefacts/verification/sphere_tests.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
 namespace {
 
+// Touches nearer to each other than this share of the radius (0.3 mm on a ball of 25 mm) are one touch: hands that try
+// to repeat a place miss it by more, and an arm that stands still by less.
+constexpr double one_place = 0.02;
 constexpr std::size_t most_told = 20;  // of the same kind; nobody reads a thousand lines of what is missing
 
 using Length = std::pair<std::string, std::string>;
@@ -84,6 +88,27 @@ void add_some(std::vector<std::string> found, std::vector<std::string>& missing)
   missing.insert(missing.end(), found.begin(), found.end());
 }
 
+// Touches of a ball at places of their own, counted up to `wanted`.
+int distinct_touches(const Session& session, const Touched& touched, int wanted) {
+  const CertifiedFeature& ball = session.constraints.artefacts[touched.artefact].features[touched.feature];
+  const double radius =
+      ball.radius.value_or(0.0) + tip_radius(session.recording, touched.readings.front(), session.arm);
+  std::vector<Eigen::Vector3d> places;
+  for (const int reading : touched.readings) {
+    const Eigen::Vector3d tip = session.tips.in_base.col(reading);
+    const bool is_new = std::none_of(places.begin(), places.end(), [&](const Eigen::Vector3d& place) {
+      return (tip - place).norm() < one_place * radius;
+    });
+    if (is_new) {
+      places.push_back(tip);
+    }
+    if (static_cast<int>(places.size()) >= wanted) {
+      break;
+    }
+  }
+  return static_cast<int>(places.size());
+}
+
 }  // namespace
 
 void check_length_plan(const Session& session, Verification& verification) {
@@ -131,17 +156,18 @@ void check_sphere_plan(const Session& session, Verification& verification) {
     if (!is_single_ball(session.constraints.artefacts[touched.artefact])) {
       continue;
     }
-    const auto points = static_cast<int>(touched.readings.size());
     const bool articulated = !session.recording.orientations.name(touched.orientation).empty();
     const int wanted = articulated ? plan.points_per_orientation : plan.points;
     const auto place = std::pair{touched.artefact, touched.placement};
     const std::string where =
         fmt::format("ball, placement {}", in_quotes(session.recording.placements.name(touched.placement)));
-    if (points < wanted) {
-      found.push_back(articulated ? fmt::format("{}, orientation {}: {} of {} points", where,
-                                                in_quotes(session.recording.orientations.name(touched.orientation)),
-                                                points, wanted)
-                                  : fmt::format("{}: {} of {} points", where, points, wanted));
+    if (const int points = distinct_touches(session, touched, wanted); points < wanted) {
+      const std::string of =
+          articulated
+              ? fmt::format(", orientation {}", in_quotes(session.recording.orientations.name(touched.orientation)))
+              : "";
+      report_missing(verification, session.specification, Evidence::DistinctPoints,
+                     fmt::format("{}{}: {} of {} points at places of their own", where, of, points, wanted));
     }
     if (articulated) {
       location_positions.insert(place);

@@ -81,7 +81,8 @@ void add_place_warnings(Verification& verification) {
     if (value.place.joint_at_stop > 0) {
       add_once(at_stop, fmt::format("{} (joint {})", in_quotes(value.placement), value.place.joint_at_stop));
     }
-    too_coarse = too_coarse || (value.limit && guard_band(verification.rule, value.budget.total()) > *value.limit);
+    too_coarse = too_coarse || (value.limit && guard_band(verification.rule, value.budget.total(),
+                                                          value.budget.degrees_of_freedom()) > *value.limit);
   }
   const auto list = [](const std::vector<std::string>& names) {
     std::string text;

@@ -1,22 +1,25 @@
 #include "artefacts/verification/decision.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "core/statistics.h"
+
 namespace artcal {
 
-double guard_band(DecisionRule rule, double u) {
+double guard_band(DecisionRule rule, double u, double degrees_of_freedom) {
   switch (rule) {
-    case DecisionRule::Iso14253_2017: return 1.65 * u;
-    case DecisionRule::Iso14253_2013: return 2.0 * u;
+    case DecisionRule::Iso14253_2017: return std::max(1.65, student_coverage_factor(0.90, degrees_of_freedom)) * u;
+    case DecisionRule::Iso14253_2013: return std::max(2.0, student_coverage_factor(0.9545, degrees_of_freedom)) * u;
     case DecisionRule::Simple: break;
   }
   return 0.0;
 }
 
-Verdict decide(double value, double limit, double u, DecisionRule rule) {
+Verdict decide(double value, double limit, double u, DecisionRule rule, double degrees_of_freedom) {
   assert(limit >= 0.0 && u >= 0.0);
-  const double guard = guard_band(rule, u);
+  const double guard = guard_band(rule, u, degrees_of_freedom);
   const double size = std::abs(value);
   return size <= limit - guard  ? Verdict::Conforms
          : size > limit + guard ? Verdict::DoesNotConform

@@ -24,8 +24,7 @@ Eigen::Vector3d mean_of(const Session& session, const std::vector<int>& readings
 }
 
 double tip_radius(const Session& session, int reading) {
-  const Reading& r = session.recording.readings[static_cast<std::size_t>(reading)];
-  return session.recording.arm.probes[static_cast<std::size_t>(r.probe)].radius;
+  return artcal::tip_radius(session.recording, reading, session.arm);
 }
 
 bool one_tip(const Session& session, const std::vector<int>& readings) {
@@ -71,6 +70,9 @@ TestValue face_value(const Session& session, const Artefact& artefact, const Cer
   measured.readings.insert(measured.readings.end(), second.begin(), second.end());
   TestValue value = length_value(session, artefact, length, measured);
   value.quantity = sides == 0 ? Quantity::LengthUni : Quantity::LengthBi;
+  for (const auto& [name, readings] : {std::pair{&value.first, &first}, std::pair{&value.second, &second}}) {
+    value.dilution.add(PointKind::Face, 1.0 / std::sqrt(static_cast<double>(readings->size())), 0.0, *name);
+  }
   const double across = (way - axis.in_base.dot(way) * axis.in_base).norm();
   const double by_axis = std::hypot(across * axis.u, 0.5 * along * axis.u * axis.u);
   value.budget.alignment = std::hypot(value.budget.alignment, by_axis);

@@ -84,6 +84,7 @@ struct ScatterOfBoth {
 double u_without_shared(const TestValue& value, bool same_certificate) {
   Budget budget = value.budget;
   budget.calibration = same_certificate ? 0.0 : budget.calibration;
+  budget.points = 0.0;  // it is in the scatter of the repeats
   return budget.total();
 }
 

@@ -10,6 +10,8 @@
 #include "artefacts/verification/face_tests.h"
 #include "artefacts/verification/length_tests.h"
 #include "artefacts/verification/outlier_rule.h"
+#include "artefacts/verification/plausibility_of_test.h"
+#include "artefacts/verification/point_uncertainty.h"
 #include "artefacts/verification/sphere_tests.h"
 #include "artefacts/verification/traceability.h"
 
@@ -55,11 +57,13 @@ Expected<Verification> verify_iso10360_12(const Session& session) {
                             ? "there is neither a single ball nor a certified length with both ends read"
                             : verification.missing.front()));
   }
+  add_point_uncertainties(session, verification);
   const int repeats = session.specification.plan ? session.specification.plan->repeats : 0;
   set_outliers_aside(session.specification.outliers, repeats, verification);
   check_sphere_plan(session, verification);
   check_length_plan(session, verification);
   check_limits(session, verification);
+  check_plausibility(session, verification);
   check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);

@@ -27,7 +27,13 @@ TestValue ball_length(const Session& session, const Artefact& artefact, const Ce
   const Eigen::Vector3d& to = second.point.centre_in_base;
   MeasuredLength measured{first.readings, (from - to).norm(), 0.5 * (from + to)};
   measured.readings.insert(measured.readings.end(), second.readings.begin(), second.readings.end());
-  return length_value(session, artefact, certified, measured);
+  TestValue value = length_value(session, artefact, certified, measured);
+  const Eigen::Vector3d along = (to - from).normalized();
+  for (const auto& [end, name] : {std::pair{&first, &value.first}, std::pair{&second, &value.second}}) {
+    const double dilution = dilution_along(end->point, along);
+    value.dilution.add(end->point.kind, dilution, end->point.kind == PointKind::Seat ? 0.0 : dilution, *name);
+  }
+  return value;
 }
 
 }  // namespace
@@ -67,6 +73,9 @@ void add_length_tests(const Session& session, Quantity quantity, Verification& v
     if (!measured) {
       verification.missing.push_back(measured.error().text());
       continue;
+    }
+    if (measured->kind != PointKind::Seat) {
+      verification.scatter(measured->kind).add(measured->squares, measured->degrees_of_freedom);
     }
     const std::tuple key{touched.artefact, touched.placement, touched.repeat};
     if (!positions.contains(key)) {

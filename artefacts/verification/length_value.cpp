@@ -10,6 +10,7 @@ TestValue length_value(const Session& session, const Artefact& artefact, const C
   value.second = artefact.features[static_cast<std::size_t>(certified.second)].name;
   value.temperature = mean_temperature(session, measured.readings);
   value.certified = certified.value;
+  value.stated = artefact.stated(certified);
   value.measured = measured.length / expansion_factor_or_one(artefact, value.temperature);
   value.value = value.measured - value.certified;
   value.budget.calibration = certified.u;

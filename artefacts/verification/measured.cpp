@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <Eigen/QR>
 
 #include "core/in_quotes.h"
 #include "fitting/fit.h"
@@ -23,10 +24,8 @@ Eigen::Matrix3Xd centres_of(const Session& session, const std::vector<int>& read
   return centres;
 }
 
-Expected<double> tip_radius(const Session& session, const Touched& touched) {
-  const auto radius_of = [&](int reading) {
-    return session.recording.arm.probes[session.recording.readings[reading].probe].radius;
-  };
+Expected<double> one_tip_radius(const Session& session, const Touched& touched) {
+  const auto radius_of = [&](int reading) { return tip_radius(session.recording, reading, session.arm); };
   const double radius = radius_of(touched.readings.front());
   for (const int reading : touched.readings) {
     if (radius_of(reading) != radius) {
@@ -58,8 +57,19 @@ tl::unexpected<Error> not_one_ball(const std::string& where, const std::string& 
                   where, found));
 }
 
+// (JᵀJ)⁻¹ of the touches' distances from a sphere by its centre and radius, from the triangle of a QR decomposition.
+Eigen::Matrix4d cofactor_of(const Eigen::Matrix3Xd& tips, const Eigen::Vector3d& centre) {
+  Eigen::MatrixX4d rows(tips.cols(), 4);
+  rows.leftCols<3>() = -(tips.colwise() - centre).colwise().normalized().transpose();
+  rows.col(3).setConstant(-1.0);
+  const Eigen::HouseholderQR<Eigen::MatrixX4d> qr(rows);
+  const Eigen::Matrix4d triangle = qr.matrixQR().topRows<4>().triangularView<Eigen::Upper>();
+  const Eigen::Matrix4d inverse = triangle.triangularView<Eigen::Upper>().solve(Eigen::Matrix4d::Identity());
+  return inverse * inverse.transpose();
+}
+
 Expected<MeasuredPoint> measure_ball(const Session& session, const Touched& touched, const CertifiedFeature& feature) {
-  const auto radius = tip_radius(session, touched);
+  const auto radius = one_tip_radius(session, touched);
   if (!radius) {
     return tl::unexpected(radius.error());
   }
@@ -91,10 +101,11 @@ Expected<MeasuredPoint> measure_ball(const Session& session, const Touched& touc
                                     2.0 * expected, 2.0 * fitted->feature.radius, fitted->form));
   }
   MeasuredPoint measured{fitted->feature.centre, 2.0 * fitted->feature.radius, fitted->form,
-                         narrowest_range(fitted->residuals, 0.95), 0.0};
-  if (fitted->covariance) {
-    measured.u = std::sqrt(fitted->covariance->topLeftCorner<3, 3>().trace() / 3.0);
-  }
+                         narrowest_range(fitted->residuals, 0.95)};
+  measured.kind = is_scanned(session, touched.readings) ? PointKind::ScannedBall : PointKind::TouchedBall;
+  measured.cofactor = cofactor_of(centres, fitted->feature.centre);
+  measured.squares = fitted->residuals.squaredNorm();
+  measured.degrees_of_freedom = fitted->degrees_of_freedom;
   return measured;
 }
 
@@ -105,11 +116,18 @@ MeasuredPoint measure_seat(const Session& session, const Touched& touched) {
   measured.centre_in_base = centres.rowwise().mean();
   const Eigen::Matrix3Xd off = centres.colwise() - measured.centre_in_base;
   measured.form = off.colwise().norm().maxCoeff();
-  measured.u = count > 1.0 ? std::sqrt(off.squaredNorm() / (3.0 * (count - 1.0) * count)) : 0.0;
+  measured.kind = PointKind::Seat;
+  measured.cofactor.topLeftCorner<3, 3>().diagonal().setConstant(1.0 / count);
+  measured.squares = off.squaredNorm();
+  measured.degrees_of_freedom = 3 * (static_cast<int>(centres.cols()) - 1);
   return measured;
 }
 
 }  // namespace
+
+double dilution_along(const MeasuredPoint& measured, const Eigen::Vector3d& direction) {
+  return std::sqrt(direction.dot(measured.cofactor.topLeftCorner<3, 3>() * direction));
+}
 
 std::string text_of(const Touched& touched, const Session& session) {
   const Artefact& artefact = session.constraints.artefacts[touched.artefact];

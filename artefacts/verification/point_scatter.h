@@ -37,9 +37,9 @@ struct Dilution {
 
 /// u of a value by the scatter of its touches.
 struct PointUncertainty {
-  double u = 0.0;                                                              ///< mm
+  double u = 0.0;                                                       ///< mm
   double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< effective (Welch, Satterthwaite)
-  bool is_known = true;                                                        ///< false: of some touches no scatter is known
+  bool is_known = true;                                                 ///< false: of some touches no scatter is known
 };
 
 /// `otherwise`: the scatter of one touch where a kind has no redundancy, such as the noise by which the arm was

@@ -10,6 +10,8 @@
 #include "artefacts/verification/conditions.h"
 #include "artefacts/verification/length_tests.h"
 #include "artefacts/verification/measured.h"
+#include "artefacts/verification/plausibility_of_test.h"
+#include "artefacts/verification/point_uncertainty.h"
 #include "artefacts/verification/rigid_fit.h"
 #include "artefacts/verification/strangeness.h"
 #include "artefacts/verification/traceability.h"
@@ -287,7 +289,9 @@ Expected<PlateVerification> verify_sphere_plate(const Session& session) {
     add_calibration(session.constraints.artefacts[artefact], all, result);
   }
   add_length_tests(session, Quantity::LengthUni, verification);
+  add_point_uncertainties(session, verification);
   judge_no_misnamed(result.placements, verification);
+  check_plausibility(session, verification);
   check_traceability(session, verification);
   check_conditions(session, verification);
   add_place_warnings(verification);

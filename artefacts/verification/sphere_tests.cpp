@@ -12,6 +12,7 @@
 namespace artcal {
 namespace {
 
+constexpr double rounding = 1e-12;          // mm
 constexpr std::size_t fewest_scanned = 20;  // points of a scan, of which 95 % are not all
 
 /// One position of a ball in one repeat.
@@ -54,6 +55,7 @@ void add_size_and_form(const Session& session, const Touched& touched, Verificat
     verification.missing.push_back("P_Size and P_Form: " + measured.error().text());
     return;
   }
+  verification.scatter(measured->kind).add(measured->squares, measured->degrees_of_freedom);
   if (scanned && touched.readings.size() < fewest_scanned) {
     verification.missing.push_back(
         fmt::format("P_Form.Sph.D95%: {}: {} points, and 95 % of fewer than {} are all of them",
@@ -73,6 +75,8 @@ void add_size_and_form(const Session& session, const Touched& touched, Verificat
     size.measured = measured->diameter / expansion_factor_or_one(artefact, size.temperature);
     size.value = size.measured - size.certified;
     size.budget.calibration = 2.0 * ball.u_radius;
+    const double of_radius = std::sqrt(measured->cofactor(3, 3));
+    size.dilution.add(measured->kind, 2.0 * of_radius, of_radius, ball.name);
     size.budget = with_thermal(size.budget, size.certified, thermal_state(session, artefact, size.temperature));
     add(verification, size, session.specification);
   } else {
@@ -81,10 +85,33 @@ void add_size_and_form(const Session& session, const Touched& touched, Verificat
   add(verification, form, session.specification);
 }
 
+Expected<Sphere> smallest_sphere_around(const Eigen::Matrix3Xd& centres) {
+  FitOptions smallest;
+  smallest.criterion = Criterion::MinimumCircumscribed;
+  return fit<Sphere>(centres, smallest).map([](const Fitted<Sphere>& fitted) { return fitted.feature; });
+}
+
+// Of the diameter of that sphere by each centre, by central differences: only a few centres hold it, and which do
+// follows from all. Zero where the sphere is a point.
+Eigen::Matrix3Xd gradient_of_diameter(const Eigen::Matrix3Xd& centres, double radius) {
+  const Eigen::Matrix3Xd about_mean = centres.colwise() - centres.rowwise().mean();
+  const double step = 1e-3 * radius;
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, centres.cols());
+  for (Eigen::Index i = 0; i < gradient.size() && step > rounding; ++i) {
+    Eigen::Matrix3Xd more = about_mean, less = about_mean;
+    more.reshaped()(i) += step;
+    less.reshaped()(i) -= step;
+    const auto larger = smallest_sphere_around(more), smaller = smallest_sphere_around(less);
+    gradient.reshaped()(i) = larger && smaller ? (larger->radius - smaller->radius) / step : 0.0;
+  }
+  return gradient;
+}
+
 void add_location(const Session& session, const Position& position, Verification& verification) {
   const Touched& first = position.orientations.front();
   Eigen::Matrix3Xd centres(3, static_cast<Eigen::Index>(position.orientations.size()));
   std::vector<int> readings;
+  std::vector<MeasuredPoint> balls;
   for (Eigen::Index i = 0; i < centres.cols(); ++i) {
     const Touched& touched = position.orientations[i];
     const auto measured = measure(session, touched);
@@ -92,20 +119,28 @@ void add_location(const Session& session, const Position& position, Verification
       verification.missing.push_back("L_Dia: " + measured.error().text());
       return;
     }
+    verification.scatter(measured->kind).add(measured->squares, measured->degrees_of_freedom);
+    balls.push_back(*measured);
     centres.col(i) = measured->centre_in_base;
     readings.insert(readings.end(), touched.readings.begin(), touched.readings.end());
   }
-  FitOptions smallest;
-  smallest.criterion = Criterion::MinimumCircumscribed;
-  const auto around = fit<Sphere>(centres, smallest);
+  const auto around = smallest_sphere_around(centres);
   if (!around) {
     verification.missing.push_back("L_Dia: " + around.error().text());
     return;
   }
   const Artefact& artefact = session.constraints.artefacts[first.artefact];
-  TestValue value = value_at(session, first, Quantity::LocationDiameter,
-                             {around->feature.centre, 2.0 * around->feature.radius, 0.0, 0.0, 0.0}, readings);
-  value.value = value.measured = 2.0 * around->feature.radius;
+  TestValue value =
+      value_at(session, first, Quantity::LocationDiameter, {around->centre, 2.0 * around->radius, 0.0, 0.0}, readings);
+  value.value = value.measured = 2.0 * around->radius;
+  const Eigen::Matrix3Xd gradient = gradient_of_diameter(centres, around->radius);
+  for (Eigen::Index i = 0; i < centres.cols(); ++i) {
+    if (const double size = gradient.col(i).norm(); size > 0.0) {
+      const MeasuredPoint& ball = balls[static_cast<std::size_t>(i)];
+      const double along = dilution_along(ball, gradient.col(i) / size);
+      value.dilution.add(ball.kind, size * along, along, artefact.features[first.feature].name);
+    }
+  }
   value.budget = form_budget(value.budget, artefact.features[first.feature]);
   add(verification, value, session.specification);
 }

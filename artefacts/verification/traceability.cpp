@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/reading_fingerprint.h"
+#include "artefacts/certificate.h"
 #include "core/in_quotes.h"
 
 namespace artcal {
@@ -39,15 +40,11 @@ class CertificateCheck {
     if (day_.empty()) {
       return;
     }
-    if (!certificate.valid_until.empty() && certificate.valid_until < day_) {
-      note(Evidence::CertificateLapsed,
-           fmt::format("the certificate{} of the artefact {} had lapsed: it was valid until {}, the readings are of {}",
-                       number, name, certificate.valid_until, day_));
+    if (const std::string text = lapsed_text(artefact, day_); !text.empty()) {
+      note(Evidence::CertificateLapsed, text);
     }
-    if (!certificate.date.empty() && certificate.date > day_) {
-      note(Evidence::CertificateNotYetValid,
-           fmt::format("the certificate{} of the artefact {} was not yet valid: it is of {}, the readings are of {}",
-                       number, name, certificate.date, day_));
+    if (const std::string text = not_yet_valid_text(artefact, day_); !text.empty()) {
+      note(Evidence::CertificateNotYetValid, text);
     }
   }
 

@@ -24,7 +24,8 @@ void judge(TestValue& value, const Specification& specification) {
     return;
   }
   value.limit = limit->second.at(value.certified);
-  value.verdict = decide(value.value, *value.limit, value.budget.total(), specification.rule);
+  value.verdict =
+      decide(value.value, *value.limit, value.budget.total(), specification.rule, value.budget.degrees_of_freedom());
 }
 
 Conclusion conclude(const Verification& verification) {

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "artefacts/artefact.h"
 #include "artefacts/verification/budget.h"
 #include "artefacts/verification/decision.h"
 #include "artefacts/verification/place.h"
+#include "artefacts/verification/point_scatter.h"
 #include "artefacts/verification/specification.h"
 
 namespace artcal {
@@ -19,10 +21,12 @@ struct TestValue {
   std::string first, second;  ///< features; `second` of lengths only
   std::string repeat;
   double certified = 0.0;  ///< length or diameter; 0 where the value itself is all there is
+  StatedValue stated;      ///< of a length: what the certificate says, at its temperature
   double measured = 0.0;
   double value = 0.0;        ///< what is judged
   double temperature = 0.0;  ///< °C; NaN where it was not read
   Budget budget;
+  Dilution dilution;
   std::optional<double> limit;
   Verdict verdict = Verdict::NotJudged;
   bool set_aside = false;  ///< measured again under the outlier rule; its verdict does not count
@@ -40,10 +44,13 @@ struct Verification {
   std::string standard;
   DecisionRule rule = DecisionRule::Iso14253_2017;
   std::vector<TestValue> values;
+  PointScatters scatters{};           ///< of the touches, by their kind
   std::vector<std::string> missing;   ///< what stands in the way of conformity beside the values
   std::vector<std::string> waived;    ///< what would stand there, but the specification waives it
   std::vector<std::string> warnings;  ///< what looks wrong but may be right
   Conclusion conclusion = Conclusion::NotShown;
+
+  [[nodiscard]] PointScatter& scatter(PointKind kind) { return scatters[static_cast<std::size_t>(kind)]; }
 };
 
 /// Notes that evidence is missing: "`text` [certificate_lapsed]" among what is missing, or where the specification

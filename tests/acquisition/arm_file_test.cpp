@@ -161,6 +161,14 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
       const auto size = static_cast<Eigen::Index>(known->parameters.size());
       const Eigen::MatrixXd root = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return 1e-5 * random.normal(); });
       known->covariance = root * root.transpose();
+      known->noise = 1e-3 * random.uniform();
+      if (i % 4 == 0) {
+        known->encoder_noise = 1e-5 * random.uniform();
+        known->probing_noise = 1e-3 * random.uniform();
+        for (int reading = 0; reading < i % 21; ++reading) {
+          known->readings.push_back(fmt::format("{:012x}", 1000 * i + reading));
+        }
+      }
     }
     const auto file = read(arm_file_text(arm, known));
     ASSERT_TRUE(file) << file.error().text() << "\n" << arm_file_text(arm, known);
@@ -171,6 +179,10 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
       EXPECT_EQ(file->identification->recording, known->recording);
       EXPECT_EQ(file->identification->parameters, known->parameters);
       EXPECT_EQ(file->identification->covariance, known->covariance);
+      EXPECT_EQ(file->identification->noise, known->noise);
+      EXPECT_EQ(file->identification->encoder_noise, known->encoder_noise);
+      EXPECT_EQ(file->identification->probing_noise, known->probing_noise);
+      EXPECT_EQ(file->identification->readings, known->readings);
     }
     EXPECT_EQ(arm_file_text(file->arm, file->identification), arm_file_text(arm, known));
   }

@@ -103,6 +103,17 @@ TEST_F(RecordingFile, TheDateIsADayOrNotStated) {
   EXPECT_THAT(refusal(), HasSubstr("`date` is \"2026-02-31\", expected a day of the calendar"));
 }
 
+// Its rows would count twice; also by another way to the same file.
+TEST_F(RecordingFile, ATableThatIsNamedTwiceIsRefused) {
+  const std::string folder = folder_.path().filename().string();
+  const std::string before = example.recording;
+  for (const std::string& again :
+       {std::string("readings.csv"), std::string("./readings.csv"), "../" + folder + "/readings.csv"}) {
+    example.recording = replaced(before, "[\"readings.csv\"]", "[\"readings.csv\", \"" + again + "\"]");
+    EXPECT_THAT(refusal(), HasSubstr("twice; its readings would count twice")) << again;
+  }
+}
+
 TEST_F(RecordingFile, NoiseIsAQuantityWithItsUnit) {
   example.recording += "[noise]\nreading = \"15 um\"\n";
   EXPECT_DOUBLE_EQ(*read()->noise.reading, 0.015);

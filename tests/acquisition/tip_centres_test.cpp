@@ -80,6 +80,37 @@ TEST_F(TipCentresTest, AnotherArmMustFit) {
   EXPECT_THAT(tip_centres(recording, other).error().message, HasSubstr("has no probe \"ball\""));
 }
 
+// The radius that was identified is the arm's; the recording's is nominal.
+TEST_F(TipCentresTest, AnIdentifiedRadiusIsTaken) {
+  const Recording recording = read({}).value();
+  Arm other = recording.arm;
+  other.probes[0].radius = 2.9987;
+  ArmIdentification known;
+  known.parameters = {"theta1", "radius"};
+  EXPECT_TRUE(tip_centres(recording, other, &known));
+  EXPECT_EQ(tip_radius(recording, 0, other), 2.9987);
+  EXPECT_EQ(tip_radius(recording, 0, recording.arm), 3.0);
+  known.parameters = {"theta1"};
+  EXPECT_THAT(tip_centres(recording, other, &known).error().message, HasSubstr("one of them is wrong"));
+}
+
+// Of two probes the one whose radius was identified is meant, in whatever order the arm has them.
+TEST_F(TipCentresTest, AnIdentifiedRadiusIsThatOfItsProbe) {
+  ExampleRecording files;
+  files.arm += "[[probe]]\nname = \"star\"\nl = 60\nradius = 1\n";
+  files.readings = "placement,feature,probe,q1,q2\np1,A,star,10,20\n";
+  const Recording recording = read(files).value();
+  Arm other = recording.arm;
+  std::swap(other.probes[0], other.probes[1]);
+  other.probes[0].radius = 1.002;
+  ArmIdentification known;
+  known.parameters = {"radius:star"};
+  EXPECT_TRUE(tip_centres(recording, other, &known));
+  EXPECT_EQ(tip_radius(recording, 0, other), 1.002);
+  known.parameters = {"radius:ball"};
+  EXPECT_FALSE(tip_centres(recording, other, &known));
+}
+
 TEST_F(TipCentresTest, AnArmThatExpandsNeedsItsTemperature) {
   ExampleRecording files;
   files.arm = replaced(files.arm, "alpha = 0\n", "alpha = 0\nexpansion_ppm_per_K = 20\ngain_ppm = 100\n");

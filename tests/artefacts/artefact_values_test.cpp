@@ -107,6 +107,12 @@ TEST_F(ArtefactValuesTest, RefusesUncertaintiesThatAreNone) {
 TEST_F(ArtefactValuesTest, ConvertsWhatHoldsAtAnotherTemperature) {
   const Artefact artefact = accepted("value = 500.002", "value = 500.007\ntemperature_C = 21");
   EXPECT_NEAR(artefact.distances.at(0).value, 500.007 / (1.0 + 10e-6), 1e-12);
+  const StatedValue stated = artefact.stated(artefact.distances.at(0));
+  EXPECT_EQ(stated.value, 500.007);
+  EXPECT_EQ(stated.temperature, 21.0);
+  const Artefact at_reference = accepted("value = 500.002", "value = 500.003");
+  EXPECT_EQ(at_reference.stated(at_reference.distances.at(0)).value, 500.003);
+  EXPECT_EQ(at_reference.stated(at_reference.distances.at(0)).temperature, at_reference.reference_temperature);
   EXPECT_THAT(refusal("value = 500.002", "value = 500.002\ntemperature_C = 220"),
               HasSubstr("220 degC is no temperature"));
   const std::string without = replaced(std::string(plate), "expansion_per_K = 10e-6\n", "");

@@ -17,7 +17,18 @@ class ArchiveTest : public ProgramTest {
     std::filesystem::create_directories(file("archive"));
     take_to(example, "archive/" + name);
     const std::string recording = "archive/" + name + "/recording.toml";
-    write(recording, more + text_of(recording));
+    std::string text = text_of(recording);
+    if (const auto own = text.find("\ndate = "); own != std::string::npos && more.starts_with("date = ")) {
+      text.erase(own, text.find('\n', own + 1) - own);
+    }
+    write(recording, more + text);
+  }
+  /// An artefact's file with another certificate, the lines of its table.
+  [[nodiscard]] static std::string with_certificate(std::string text, const std::string& lines) {
+    if (const auto own = text.find("[certificate]\n"); own != std::string::npos) {
+      text.erase(own, text.find("\n\n", own) + 2 - own);
+    }
+    return text + "\n[certificate]\n" + lines;
   }
   void take_to(const std::string& example, const std::string& name) const {
     std::filesystem::copy(std::filesystem::path(ARTCAL_SOURCE_DIR) / "examples" / example, file(name),

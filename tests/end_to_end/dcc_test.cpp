@@ -152,7 +152,7 @@ TEST_F(Certificates, PlatesAndIncompleteTestsBecomeValidOnes) {
   EXPECT_THAT(text_of("v.xml"), AllOf(HasSubstr("C4, residual x"), HasSubstr("Warning: ")));
   EXPECT_EQ(verify("b89.4.22", {}).exit_code, 1);
   EXPECT_TRUE(is_valid("v.xml"));
-  EXPECT_THAT(text_of("v.xml"), HasSubstr("In the way of showing conformity: "));
+  EXPECT_THAT(text_of("v.xml"), HasSubstr("Missing for a proof of conformity: "));
 }
 
 TEST_F(Certificates, AreRefusedWithoutWhatOnlyTheLaboratoryKnows) {

@@ -22,8 +22,8 @@ class History : public testing::Browsing<testing::ArchiveTest> {
   void SetUp() override {
     const auto test = [&](const std::string& name, const std::string& date, const std::string& number) {
       file_away("iso10360-12", name, "date = " + date + "\n");
-      write("archive/" + name + "/bar.toml", text_of("archive/" + name + "/bar.toml") + "\n[certificate]\nnumber = \"" +
-                                                 number + "\"\nlaboratory = \"Example Laboratory\"\n");
+      const std::string bar = "archive/" + name + "/bar.toml";
+      write(bar, with_certificate(text_of(bar), "number = \"" + number + "\"\nlaboratory = \"Example Laboratory\"\n"));
     };
     test("first", "2026-03-01", "4711");
     test("second", "2026-06-01", "4711");

@@ -212,7 +212,11 @@ TEST_F(ResultSchema, OfHistories) {
   take("iso10360-12");
   for (const char* example : {"two-socket-bar", "iso10360-12"}) {
     const std::string recording = std::string(example) + "/recording.toml";
-    write(std::string(example) + "/later-recording.toml", "date = 2030-01-01\n" + text_of(recording));
+    std::string text = text_of(recording);
+    if (const auto own = text.find("\ndate = "); own != std::string::npos) {
+      text.erase(own, text.find('\n', own + 1) - own);
+    }
+    write(std::string(example) + "/later-recording.toml", "date = 2030-01-01\n" + text);
   }
   ASSERT_EQ(run({"batch", "two-socket-bar", "iso10360-12", "--store", "s.sqlite"}).exit_code, 0);
   check({"history", "Franka Emika Panda", "--store", "s.sqlite", "--json", "-"}, "history");

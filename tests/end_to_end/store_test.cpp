@@ -56,9 +56,8 @@ class StoreTest : public testing::ArchiveTest {
       const std::string name = fmt::format("test-{}", i);
       file_away("iso10360-12", name, fmt::format("date = 203{}-05-01\n", i));
       const std::string bar = "archive/" + name + "/bar.toml";
-      write(bar, text_of(bar) +
-                     "\n[certificate]\nnumber = \"4711\"\nlaboratory = \"Example Laboratory\"\n"
-                     "date = 2026-03-02\nvalid_until = 2028-03-01\n");
+      write(bar, with_certificate(text_of(bar), "number = \"4711\"\nlaboratory = \"Example Laboratory\"\n"
+                                                "date = 2026-03-02\nvalid_until = 2028-03-01\n"));
     }
     write("archive/broken/recording.toml", "");
   }

@@ -31,11 +31,31 @@ class UncertaintyCommand : public testing::ProgramTest {
 
 TEST_F(UncertaintyCommand, TakesTheNoiseThatIdentificationFound) {
   const Json found = result({});
-  EXPECT_GT(found["probing_noise_mm"], 0.003);  // 3 µm of probing and 2" of each encoder make about 10 µm
-  EXPECT_LT(found["probing_noise_mm"], 0.020);
+  EXPECT_NEAR(found["probing_noise_mm"].get<double>(), 0.003, 0.0003);  // as the recording states it, and enlarged
   const Json doubled = result({"--probing-noise", "1 mm"});
   EXPECT_NEAR(doubled["lengths"][0]["u"]["rms_mm"], 1.41421, 1e-3);
   EXPECT_EQ(found["lengths"][0]["u_of_the_arm"], doubled["lengths"][0]["u_of_the_arm"]);
+}
+
+// The arm's file keeps what the identification knew of the noise: both draw the same map.
+TEST_F(UncertaintyCommand, OfTheArmsFileIsThatOfTheIdentificationsReport) {
+  ASSERT_EQ(
+      run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--report", "identified.html", "--no-leave-out"})
+          .exit_code,
+      0);
+  ASSERT_EQ(run({"uncertainty", "arm.toml", "--json", "map.json"}).exit_code, 0);
+  const Json map = Json::parse(text_of("map.json"));
+  EXPECT_NEAR(map["encoder_noise_rad"].get<double>(), 2.0 / 3600.0 * 3.14159265358979 / 180.0, 1e-6);
+  EXPECT_NEAR(map["probing_noise_mm"].get<double>(), 0.003, 0.0003);
+  ASSERT_EQ(run({"report", "map.json", "-o", "map.html"}).exit_code, 0);
+  // The section of the arm's uncertainty is word for word that of the identification's report.
+  const auto section = [&](const std::string& page) {
+    const std::string text = text_of(page);
+    const auto begin = text.find("What the identified arm measures like");
+    return text.substr(begin, text.find("</table>", begin) - begin);
+  };
+  EXPECT_GT(section("map.html").size(), 500u);
+  EXPECT_EQ(section("map.html"), section("identified.html"));
 }
 
 TEST_F(UncertaintyCommand, CountsAllParametersOfAModel) {

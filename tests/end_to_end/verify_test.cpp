@@ -57,6 +57,125 @@ TEST_F(Verify, TheIdentifiedArmConformsAndTheNominalOneDoesNot) {
               1e-6);
 }
 
+// Whoever judges by the example's identification judges by readings that the arm was made to fit.
+TEST_F(Verify, AnArmIsNotJudgedByTheReadingsThatItWasIdentifiedFrom) {
+  take("ball-bar");
+  take("iso10360-12");
+  ASSERT_EQ(run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--quiet", "--no-leave-out"}).exit_code, 0);
+  const std::string specification =
+      "schema = \"artcal-specification/1\"\nunits = { length = \"mm\", limit = \"um\" }\n[[limit]]\nof = \"E_Uni\"\n"
+      "B = 500\n[decision]\nrule = \"simple\"\n[plan]\n";
+  write("ball-bar/specification.toml", specification);
+  const std::vector<std::string> verify{"verify",          "ball-bar/recording.toml",
+                                        "--standard",      "iso10360-12",
+                                        "--arm",           "arm.toml",
+                                        "--specification", "ball-bar/specification.toml",
+                                        "--json",          "-"};
+  EXPECT_THAT(json_of(verify, 1)["missing"].dump(), HasSubstr("[independent_readings]"));
+  // A part of them in another file, another order and another unit, under another name.
+  std::istringstream lines(text_of("ball-bar/readings.csv"));
+  std::string header, line, some;
+  std::getline(lines, header);
+  for (int i = 0; std::getline(lines, line); ++i) {
+    std::vector<std::string> fields;
+    std::istringstream stream(line);
+    for (std::string one; std::getline(stream, one, ',');) fields.push_back(one);
+    std::string row;
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      const bool joint = f + 6 >= fields.size();
+      row += (f == 0 ? "" : ",") +
+             (joint ? fmt::format("{:.12f}", std::stod(fields[f]) * 3.14159265358979323846 / 180.0) : fields[f]);
+    }
+    some = i % 7 == 0 ? some : row + "\n" + some;
+  }
+  write("ball-bar/readings.csv", header + "\n" + some);
+  write("ball-bar/recording.toml",
+        replaced(replaced(text_of("ball-bar/recording.toml"), "joint = \"deg\"", "joint = \"rad\""),
+                 "simulated arm on a ball bar", "another name"));
+  const Json by_some = json_of(verify, 1);
+  EXPECT_EQ(by_some["conclusion"], "not_shown");
+  EXPECT_THAT(by_some["missing"].dump(), HasSubstr("of the readings that it is judged by"));
+  // Waived by name, and said.
+  write("ball-bar/specification.toml", "waive = [\"independent_readings\", \"plausible_values\"]\n" + specification);
+  const Json waived = json_of(verify, 0);
+  EXPECT_EQ(waived["waived"].size(), 1u) << waived["waived"].dump();
+}
+
+// The first 15 of each ball's 25 points and of each five, once and pasted again: a test of too few points stays one.
+TEST_F(Verify, RowsThatAreThereTwiceCountOnce) {
+  take("iso10360-12");
+  const std::vector<std::string> verify{"verify", "iso10360-12/recording.toml", "--json", "-"};
+  std::istringstream lines(text_of("iso10360-12/readings.csv"));
+  std::string line, some, again;
+  std::getline(lines, line);
+  const std::string header = line + "\n";
+  for (int ball = 0; std::getline(lines, line);) {
+    const bool is_pattern = line.starts_with("ball,ball 1,ball,,");
+    ball += is_pattern ? 1 : 0;
+    if (!is_pattern || ball <= 15) some += line + "\n";
+    if (is_pattern && ball <= 10) again += line + "\n";
+  }
+  write("iso10360-12/readings.csv", header + some);
+  const Json once = json_of(verify, 1);
+  EXPECT_THAT(once["missing"].dump(), HasSubstr("15 of 25 points"));
+  write("iso10360-12/readings.csv", header + some + again);
+  const Json pasted = json_of(verify, 1);
+  EXPECT_EQ(pasted["readings"], once["readings"]);
+  EXPECT_EQ(pasted["missing"], once["missing"]);
+  EXPECT_THAT(pasted["warnings"].dump(), HasSubstr("10 of "));
+  write("iso10360-12/recording.toml",
+        replaced(text_of("iso10360-12/recording.toml"), "[\"readings.csv\"]", "[\"readings.csv\", \"readings.csv\"]"));
+  const Ended twice = run({"verify", "iso10360-12/recording.toml"});
+  EXPECT_EQ(twice.exit_code, 3);
+  EXPECT_THAT(twice.err, HasSubstr("names the table \"readings.csv\" twice"));
+}
+
+TEST_F(Verify, ACertificateThatLapsedTheDayBeforeShowsNothing) {
+  take("iso10360-12");
+  write("iso10360-12/recording.toml",
+        replaced(text_of("iso10360-12/recording.toml"), "date = 2026-03-10", "date = 2028-03-02"));
+  const Ended lapsed = run({"verify", "iso10360-12/recording.toml"});
+  EXPECT_EQ(lapsed.exit_code, 1);
+  EXPECT_THAT(lapsed.out, HasSubstr("CONFORMITY NOT SHOWN"));
+  EXPECT_THAT(lapsed.out, HasSubstr("had lapsed: it was valid until 2028-03-01, the readings are of 2028-03-02 "
+                                    "[certificate_lapsed]"));
+  write("iso10360-12/specification.toml", replaced(text_of("iso10360-12/specification.toml"), "measuring_range",
+                                                   "waive = [\"certificate_lapsed\"]\nmeasuring_range"));
+  const Ended waived = run({"verify", "iso10360-12/recording.toml"});
+  EXPECT_EQ(waived.exit_code, 0) << waived.out.substr(0, 2000);
+  EXPECT_THAT(waived.out, HasSubstr("Waived by the specification:"));
+}
+
+// What cannot be stands before the verdict that rests on it.
+TEST_F(Verify, ALimitInTheWrongUnitIsSaidBeforeTheVerdict) {
+  take("iso10360-12");
+  write("iso10360-12/specification.toml", replaced(text_of("iso10360-12/specification.toml"), "B = 30", "B = 7400"));
+  const Ended ended = run({"verify", "iso10360-12/recording.toml"});
+  EXPECT_EQ(ended.exit_code, 1);
+  const auto said = ended.out.find("the limit of P_Size is 7.4 mm");
+  EXPECT_LT(said, ended.out.find("CONFORMITY NOT SHOWN"));
+}
+
+// The radius is identified with the arm; the recording that it is judged by names the nominal one.
+TEST_F(Verify, AnIdentifiedRadiusIsUsed) {
+  take("ball-bar");
+  take("iso10360-12");
+  write("ball-bar/arm.toml", replaced(text_of("ball-bar/arm.toml"), "radius = 3", "radius = 2.99"));
+  ASSERT_EQ(
+      run({"identify", "ball-bar/recording.toml", "-o", "arm.toml", "--free", "radius", "--quiet", "--no-leave-out"})
+          .exit_code,
+      0);
+  const Json values =
+      json_of({"verify", "iso10360-12/recording.toml", "--arm", "arm.toml", "--json", "-"}, 0)["values"];
+  // 10 um of the nominal radius would be 20 um of each diameter.
+  for (const Json& value : values) {
+    if (value["quantity"] == "P_Size") {
+      EXPECT_LT(std::abs(value["value_mm"].get<double>()), 0.018);
+    }
+  }
+  EXPECT_EQ(run({"points", "iso10360-12/recording.toml", "--arm", "arm.toml", "-o", "points.csv"}).exit_code, 0);
+}
+
 TEST_F(Verify, ABumpedArmIsFound) {
   take("iso10360-12");
   const Ended ended = run(

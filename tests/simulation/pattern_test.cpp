@@ -54,6 +54,34 @@ TEST(Pattern, SpreadIsEvenOverTheCap) {
   EXPECT_NEAR(heights, 0.75, 0.004);
 }
 
+// Five or more touches on a hemisphere never crowd so that they determine the centre poorly; drawn independently, a
+// third of all sets of five touches would have a dilution above five.
+TEST(Pattern, FewPointsOfASpreadDetermineTheCentre) {
+  PlannedProbing probing;
+  for (const int points : {5, 6, 9, 20}) {
+    probing.points = points;
+    for (int seed = 0; seed < 200; ++seed) {
+      RandomStream random(seed, "pattern");
+      EXPECT_LT(centre_dilution(directions_on_ball(probing, random)), 2.6) << points << " points, seed " << seed;
+    }
+  }
+}
+
+// Normal equations of pole and four at an angle t: the dilution along the pole is √(5/(5·Σz² − (Σz)²)), z the heights.
+TEST(Pattern, DilutionAgreesWithTheNormalEquations) {
+  for (const double polar : {20.0, 45.0, 60.0}) {
+    const double t = polar * units::degree;
+    std::vector<Eigen::Vector3d> directions{{0.0, 0.0, 1.0}};
+    for (int i = 0; i < 4; ++i) {
+      const double azimuth = 90.0 * i * units::degree;
+      directions.emplace_back(std::sin(t) * std::cos(azimuth), std::sin(t) * std::sin(azimuth), std::cos(t));
+    }
+    const double sum = 1.0 + 4.0 * std::cos(t), squares = 1.0 + 4.0 * std::cos(t) * std::cos(t);
+    EXPECT_NEAR(centre_dilution(directions), std::sqrt(5.0 / (5.0 * squares - sum * sum)), 1e-6);
+  }
+  EXPECT_TRUE(std::isinf(centre_dilution({{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}})));
+}
+
 TEST(Pattern, PlacesKeepToTheRectangle) {
   RandomStream random(1, "pattern");
   PlannedProbing probing;

@@ -47,6 +47,11 @@ inline std::vector<Eigen::Vector3d> pattern_5() {
   return directions;
 }
 
+/// Pole and four on the equator: of five touches those that determine the centre best about a stem.
+inline std::vector<Eigen::Vector3d> pattern_5_wide() {
+  return {{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}};
+}
+
 class ReportedReadings {
  public:
   explicit ReportedReadings(double tip_radius = 3.0) {

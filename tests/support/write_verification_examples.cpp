@@ -91,7 +91,7 @@ void write_lengths(TrueArm& arm, const Artefact& bar) {
         const double from_a = i == 0 ? 0.0 : bar.distances[i - 1].value;
         arm.touch({"bar", fmt::format("{}", position + 1), bar.features[i].name, "", fmt::format("{}", repeat)},
                   base_from_bar[position] * Eigen::Vector3d(growth * (from_a - 600.0), 0.0, 0.0),
-                  growth * *bar.features[i].radius, testing::pattern_5(), temperature);
+                  growth * *bar.features[i].radius, testing::pattern_5_wide(), temperature);
       }
     }
   }
@@ -107,7 +107,7 @@ void write_iso10360_12(const std::string& source) {
     arm.touch({"ball", placement, "ball", "", ""}, centre, *ball.features[0].radius, testing::pattern_25(), 20.5);
     for (int orientation = 1; orientation <= 5; ++orientation) {
       arm.touch({"ball", placement, "ball", fmt::format("{}", orientation), ""}, centre, *ball.features[0].radius,
-                testing::pattern_5(), 20.5);
+                testing::pattern_5_wide(), 20.5);
     }
   }
   write_lengths(arm, required(read_artefact_file(folder + "bar.toml")).artefact);

@@ -66,7 +66,7 @@ TEST(Traceability, EachDefectIsNamedAndCanBeWaivedByItsName) {
   const std::vector<std::tuple<std::string, std::string, std::function<void(SessionMaterial&)>>> cases{
       {"certificate_lapsed", "had lapsed: it was valid until 2026-03-09",
        certificate([](Certificate& c) { c.valid_until = "2026-03-09"; })},
-      {"certificate_not_yet_valid", "was not yet valid: it is of 2026-03-11",
+      {"certificate_not_yet_valid", "was not yet valid: it was calibrated on 2026-03-11",
        certificate([](Certificate& c) { c.date = "2026-03-11"; })},
       {"certificate_absent", "has no certificate", certificate([](Certificate& c) { c = {}; })},
       {"certificate_absent", "states no number", certificate([](Certificate& c) { c.number.clear(); })},

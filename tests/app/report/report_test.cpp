@@ -19,6 +19,7 @@
 #include "artefacts/verification/specification_file.h"
 #include "artefacts/verification/verify.h"
 #include "identification/identify.h"
+#include "tests/support/temporary_folder.h"
 
 namespace artcal {
 namespace {
@@ -236,6 +237,58 @@ TEST_F(ReportOfIdentification, IsRefusedWhereColumnsDiffer) {
   Json damaged = whole_;
   damaged["residuals"]["feature"][0] = 1'000'000;
   EXPECT_FALSE(report_html({reported(damaged)}));
+}
+
+// What was never held against readings of its own is not called good without a word.
+TEST_F(ReportOfIdentification, SaysThatNothingWasLeftOut) {
+  Json result = whole_;
+  result["warnings"] = result["outliers"] = result["left_out"] = Json::array();
+  EXPECT_THAT(report_html({reported(result)}).value(),
+              ::testing::AllOf(HasSubstr("Nothing was left out for cross-validation"), Not(HasSubstr("✓ Identified"))));
+  for (const char* judged : {"before", "after"}) {
+    Json& placements = result[judged]["placements"];
+    placements = Json(std::vector<Json>{placements[0]});
+  }
+  EXPECT_THAT(report_html({reported(result)}).value(),
+              ::testing::AllOf(HasSubstr("Nothing could be left out for cross-validation, for there is one placement"),
+                               Not(HasSubstr("✓ Identified"))));
+  const Json placement = result["after"]["placements"][0];
+  result["left_out"] = {{{"artefact", placement["artefact"]},
+                         {"placement", placement["placement"]},
+                         {"readings", 20},
+                         {"rms_mm", 0.1},
+                         {"maximum_mm", 0.2},
+                         {"lengths", Json::array()},
+                         {"refusal", nullptr}}};
+  EXPECT_THAT(report_html({reported(result)}).value(), HasSubstr("✓ Identified"));
+}
+
+TEST(ReportOfResults, UnknownQuantitiesAreRefused) {
+  const testing::TemporaryFolder folder;
+  Json result = verified("iso10360-12", Standard::Iso10360_12);
+  std::vector<InputFile> inputs;
+  EXPECT_TRUE(read_result(folder.write("good.json", result.dump()).string(), inputs));
+  result["values"][3]["quantity"] = "E_Tri";
+  const auto read = read_result(folder.write("unknown.json", result.dump()).string(), inputs);
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().text(), HasSubstr("is of the quantity \"E_Tri\", expected P_Size"));
+}
+
+// A nominal arm that cannot be evaluated: null in the result, a dash in the report.
+TEST(ReportOfResults, WithoutANominalEvaluationIsWritten) {
+  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml").value();
+  const auto constraints = read_constraints(recording).value();
+  IdentifyOptions options;
+  options.leave_out = false;
+  auto result = identify(recording, constraints, options).value();
+  result.before = not_evaluated(result.after);
+  Json json = Json::parse(to_json(recording, constraints, options, result, {}).dump());
+  json["residuals"] = Json::parse(residuals_json(recording, constraints, result).dump());
+  EXPECT_TRUE(json["before"]["overall"]["rms_mm"].is_null());
+  EXPECT_EQ(json["before"]["lengths"].size(), json["after"]["lengths"].size());
+  const auto page = report_html({reported(json)});
+  ASSERT_TRUE(page) << page.error().text();
+  EXPECT_THAT(*page, HasSubstr("by the nominal arm – mm and – mm"));
 }
 
 TEST_F(ReportOfIdentification, OfTwoArmsIsRefused) {
