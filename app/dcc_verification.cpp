@@ -1,7 +1,6 @@
 #include "app/dcc_verification.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -17,17 +16,16 @@ constexpr double probability = 0.95;
 constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* one = "\\one";
 
-constexpr double many = std::numeric_limits<double>::infinity();
+// Of values whose degrees of freedom are many; of others it is stated_coverage_factor().
+constexpr double k = 2.0;
 
-// A certificate states no uncertainty of zero: it means that none is known. k is 2, or Student's factor where it is
-// larger for few degrees of freedom (JCGM 100, G.6.4).
-std::optional<DccUncertainty> expanded(double u, double degrees_of_freedom = many) {
-  const double k = std::max(2.0, student_coverage_factor(probability, degrees_of_freedom));
-  return u > 0.0 ? std::optional(DccUncertainty{k * u, k, probability}) : std::nullopt;
+// A certificate states no uncertainty of zero: it means that none is known.
+std::optional<DccUncertainty> expanded(double u, double factor = k) {
+  return u > 0.0 ? std::optional(DccUncertainty{factor * u, factor, probability}) : std::nullopt;
 }
 
-DccEntry length_entry(const std::string& name, double value, double u = 0.0, double degrees_of_freedom = many) {
-  return {name, "", millimetre, value, expanded(u, degrees_of_freedom), std::nullopt, ""};
+DccEntry length_entry(const std::string& name, double value, double u = 0.0, double factor = k) {
+  return {name, "", millimetre, value, expanded(u, factor), std::nullopt, ""};
 }
 
 std::optional<DccConformity> conformity_of(const TestValue& value) {
@@ -41,7 +39,8 @@ std::optional<DccConformity> conformity_of(const TestValue& value) {
 }
 
 DccEntry value_entry(const TestValue& value, DecisionRule rule) {
-  DccEntry entry = length_entry(label_of(value), value.value, value.budget.total(), value.budget.degrees_of_freedom());
+  DccEntry entry = length_entry(label_of(value), value.value, value.budget.total(),
+                                stated_coverage_factor(value.budget.degrees_of_freedom()));
   entry.ref_type = "artcal_testValue";
   if (value.set_aside) {
     entry.name += " (set aside: measured again under the outlier rule)";
@@ -74,7 +73,7 @@ DccResult plate_section(const PlatePlacement& plate) {
                                 plate.repeat.empty() ? "" : ", repeat " + plate.repeat),
                     "Measured less certified, in the plate's axes after a rigid motion; scale: measured over "
                     "certified, less one.",
-                    {{"scale", "", one, plate.scale, expanded(plate.u_scale), std::nullopt, ""},
+                    {{"scale", "", one, plate.scale, expanded(plate.u_scale, plate.k_scale), std::nullopt, ""},
                      length_entry("rms of the residuals", plate.rms)}};
   for (const BallResidual& ball : plate.balls) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,15 +85,17 @@ DccResult plate_section(const PlatePlacement& plate) {
 }
 
 DccResult calibration_section(const PlateCalibration& calibration) {
-  DccResult section{fmt::format("The plate {} itself", calibration.artefact),
-                    fmt::format("Coordinates from {} placements, U by their scatter; the scale is the arm's.",
-                                calibration.placements),
-                    {}};
+  DccResult section{
+      fmt::format("The plate {} itself", calibration.artefact),
+      fmt::format("Coordinates from {} placements, U by their scatter ({:.3g} degrees of freedom); the scale "
+                  "is the arm's.",
+                  calibration.placements, calibration.degrees_of_freedom),
+      {}};
   for (Eigen::Index i = 0; i < calibration.centres.cols(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      section.entries.push_back(
-          length_entry(fmt::format("{}, {}", calibration.features[static_cast<std::size_t>(i)], "xyz"[axis]),
-                       calibration.centres(axis, i), calibration.u(i)));
+      section.entries.push_back(length_entry(
+          fmt::format("{}, {}", calibration.features[static_cast<std::size_t>(i)], "xyz"[axis]),
+          calibration.centres(axis, i), calibration.u(i), stated_coverage_factor(calibration.degrees_of_freedom)));
     }
   }
   return section;
@@ -103,10 +104,12 @@ DccResult calibration_section(const PlateCalibration& calibration) {
 DccResult drift_section(const InterimCheck& check) {
   DccResult section{"Drift since an earlier verification", "Now less then.", {}};
   for (const Drift& drift : check.drifts) {
-    section.entries.push_back(length_entry(fmt::format("{} {}{}, placement {}{}", name_of(drift.quantity), drift.first,
-                                                       drift.second.empty() ? "" : " - " + drift.second,
-                                                       drift.placement, drift.significant ? " (significant)" : ""),
-                                           drift.drift, drift.degrees_of_freedom > 0 ? drift.u : 0.0));
+    section.entries.push_back(
+        length_entry(fmt::format("{} {}{}, placement {}{}", name_of(drift.quantity), drift.first,
+                                 drift.second.empty() ? "" : " - " + drift.second, drift.placement,
+                                 drift.significant ? " (significant)" : ""),
+                     drift.drift, drift.degrees_of_freedom > 0 ? drift.u : 0.0,
+                     drift.degrees_of_freedom > 0 ? stated_coverage_factor(drift.effective_degrees_of_freedom) : k));
   }
   return section;
 }

@@ -1,5 +1,8 @@
+#include <limits>
+
 #include "app/fit_report.h"
 #include "app/result_head.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
@@ -31,6 +34,15 @@ Json options_json(const FitRequest& request) {
 Json value_json(const FeatureValue& value) {
   return {
       {"name", value.name}, {"unit", value.unit}, {"value", value.value}, {"standard_uncertainty", or_null(value.u)}};
+}
+
+// Of the standard uncertainties: 2 where the noise was stated.
+Json coverage_factor_json(const FitReport& report) {
+  if (!report.fit.covariance) {
+    return nullptr;
+  }
+  return stated_coverage_factor(report.request.options.noise ? std::numeric_limits<double>::infinity()
+                                                             : report.fit.degrees_of_freedom);
 }
 
 Json covariance_json(const FeatureFit& fit) {
@@ -69,6 +81,7 @@ Json to_json(const FitReport& report) {
   json["rms_mm"] = fit.rms;
   json["noise_mm"] = or_null(fit.noise);
   json["degrees_of_freedom"] = fit.degrees_of_freedom;
+  json["coverage_factor"] = coverage_factor_json(report);
   json["lowest"] = deviation_json(fit.lowest);
   json["highest"] = deviation_json(fit.highest);
   json["outliers"] = Json::array();

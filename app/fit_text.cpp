@@ -4,6 +4,7 @@
 #include "app/phrases.h"
 #include "app/table.h"
 #include "core/in_quotes.h"
+#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -75,7 +76,8 @@ std::string noise_text(const FitReport& report) {
     text += fmt::format("  u follows from a noise of {:.3g} mm a point, {}\n", *fit.noise,
                         report.request.options.noise
                             ? "as stated"
-                            : fmt::format("estimated with {} degrees of freedom", fit.degrees_of_freedom));
+                            : fmt::format("estimated with {} degrees of freedom: U (95 %) is {:.3g} u",
+                                          fit.degrees_of_freedom, stated_coverage_factor(fit.degrees_of_freedom)));
   } else if (report.request.options.criterion == Criterion::LeastSquares) {
     text += "  no uncertainty: there are no more points than the feature needs, and no --noise is stated\n";
   } else {

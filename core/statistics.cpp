@@ -47,6 +47,15 @@ double student_coverage_factor(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::complement(boost::math::students_t(degrees_of_freedom), tail));
 }
 
+double significance_factor(std::size_t count, double degrees_of_freedom) {
+  assert(count > 0);
+  return student_coverage_factor(1.0 - 0.05 / static_cast<double>(count), degrees_of_freedom);
+}
+
+double stated_coverage_factor(double degrees_of_freedom) {
+  return std::max(2.0, student_coverage_factor(0.95, degrees_of_freedom));
+}
+
 double student_limit_as_rare_as(double normal_limit, double degrees_of_freedom) {
   if (std::isinf(degrees_of_freedom)) {
     return normal_limit;

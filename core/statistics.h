@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 
@@ -23,6 +24,14 @@ double normal_quantile(double probability);
 /// Coverage factor of the symmetric interval that holds a Student t variable with `probability` in (0, 1); the normal
 /// one for infinite degrees of freedom. `degrees_of_freedom` > 0 need not be an integer (JCGM 100, G.4).
 double student_coverage_factor(double probability, double degrees_of_freedom);
+
+/// The one rule by which a change of one of `count` ≥ 1 values is called significant: beyond this many standard
+/// uncertainties, where all together are exceeded by chance in one of twenty cases (Student, Bonferroni).
+double significance_factor(std::size_t count, double degrees_of_freedom);
+
+/// Coverage factor of the expanded uncertainties that are stated: k = 2, which is about 95 % where u is known well, and
+/// Student's factor for 95 % where that is larger, below 60 degrees of freedom (JCGM 100, G.3; EA-4/02, annex E).
+double stated_coverage_factor(double degrees_of_freedom);
 
 /// The value that a Student t variable exceeds as rarely as a standard normal one exceeds `normal_limit` ≥ 0, which
 /// must be below 38 (where that is never, in doubles).

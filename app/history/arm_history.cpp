@@ -44,6 +44,13 @@ bool is_identified(const CalibratedParameter& parameter) {
   return parameter.state == result_name(ParameterState::Identified);
 }
 
+double noise_freedom(const StoreValue& is_given, const StoreValue& degrees_of_freedom) {
+  const auto* given = std::get_if<long long>(&is_given);
+  const auto* freedom = std::get_if<long long>(&degrees_of_freedom);
+  const bool is_estimated = given != nullptr && *given == 0 && freedom != nullptr && *freedom > 0;
+  return is_estimated ? static_cast<double>(*freedom) : std::numeric_limits<double>::infinity();
+}
+
 std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std::string& recording) {
   std::vector<CalibratedParameter> parameters;
   for (const StoreRow& row :
@@ -108,10 +115,11 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
   reader.set_recording(calibration.entry.recording);
   calibration.rms_before = reader.number(row[3], "rms before");
   calibration.rms_after = reader.number(row[4], "rms after");
+  calibration.degrees_of_freedom = noise_freedom(row[6], row[7]);
   calibration.parameters = read_parameters(reader, calibration.entry.recording);
   const auto identified = std::count_if(calibration.parameters.begin(), calibration.parameters.end(), is_identified);
   calibration.covariance = reader.covariance(row[5], static_cast<std::size_t>(identified));
-  if (const std::string text = text_of(row[6]); !text.empty()) {
+  if (const std::string text = text_of(row[8]); !text.empty()) {
     if (auto arm = arm_of_text(text, "arm_file")) {
       calibration.arm = std::move(*arm);
     } else {
@@ -125,9 +133,9 @@ constexpr const char* in_order = " WHERE r.arm = :v0 ORDER BY coalesce(r.measure
 
 void read_calibrations(StoreReader& reader, ArmHistory& history) {
   for (const StoreRow& row : reader.rows(
-           std::string(
-               "SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance, i.arm_file "
-               "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
+           std::string("SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance, "
+                       "i.noise_is_given, i.degrees_of_freedom, i.arm_file "
+                       "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
                in_order,
            {history.arm})) {
     history.calibrations.push_back(read_calibration(reader, row));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,8 @@ struct HistoryEntry {
 struct Calibration {
   HistoryEntry entry;
   double rms_before = 0.0, rms_after = 0.0;  ///< mm
+  /// Of the noise behind every u; infinite where it was stated.
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();
   std::vector<CalibratedParameter> parameters;
   Eigen::MatrixXd covariance;  ///< of the identified ones, in their order
   std::optional<Arm> arm;      ///< as identified; nothing where an earlier version of artcal stored the result
@@ -48,7 +51,8 @@ struct ParameterChange {
   std::string name, unit;
   double then = 0.0, now = 0.0;
   double u = 0.0;            ///< √(u²(then) + u²(now))
-  bool significant = false;  ///< beyond 2·u
+  double limit = 0.0;        ///< significance_factor() of all changes, by the effective degrees of freedom of u
+  bool significant = false;  ///< beyond `limit` times u
 };
 
 /// What changed between two calibrations of an arm. Parameters hang together: readings tell theta6 + a6/l, and which of

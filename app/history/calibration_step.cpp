@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -10,8 +12,6 @@
 
 namespace artcal {
 namespace {
-
-constexpr double coverage = 2.0;
 
 bool is_identified(const CalibratedParameter& parameter) { return parameter.state == "identified"; }
 
@@ -46,6 +46,25 @@ double squared_distance(const Eigen::VectorXd& change, const Eigen::MatrixXd& co
   return scaled.dot(correlation.ldlt().solve(scaled));
 }
 
+// Which changes are significant; the smallest effective degrees of freedom of all.
+double judge(std::vector<ParameterChange>& changes, const Calibration& then, const Calibration& now) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (ParameterChange& change : changes) {
+    const auto u_in = [&](const Calibration& calibration) {
+      return std::find_if(calibration.parameters.begin(), calibration.parameters.end(),
+                          [&](const auto& parameter) { return parameter.name == change.name; })
+          ->u;
+    };
+    const std::array<UncertaintyComponent, 2> components{
+        {{u_in(then), then.degrees_of_freedom}, {u_in(now), now.degrees_of_freedom}}};
+    const double freedom = effective_degrees_of_freedom(components);
+    change.limit = significance_factor(changes.size(), freedom);
+    change.significant = std::abs(change.now - change.then) > change.limit * change.u;
+    smallest = std::min(smallest, freedom);
+  }
+  return smallest;
+}
+
 }  // namespace
 
 CalibrationStep step_between(const Calibration& then, const Calibration& now) {
@@ -64,16 +83,19 @@ CalibrationStep step_between(const Calibration& then, const Calibration& now) {
     const CalibratedParameter& before = then.parameters[i];
     const CalibratedParameter& after = now.parameters[i];
     if (is_identified(before)) {
-      const double u = std::hypot(before.u, after.u);
-      const double change = after.value - before.value;
-      step.changes.push_back({before.name, before.unit, before.value, after.value, u, std::abs(change) > coverage * u});
-      differences.push_back(change);
+      step.changes.push_back(
+          {before.name, before.unit, before.value, after.value, std::hypot(before.u, after.u), 0.0, false});
+      differences.push_back(after.value - before.value);
     }
   }
+  const double freedom = judge(step.changes, then, now);
   if (!differences.empty()) {
     const Eigen::Map<const Eigen::VectorXd> change(differences.data(), static_cast<Eigen::Index>(differences.size()));
     step.chi_squared = squared_distance(change, then.covariance + now.covariance);
-    step.limit = chi_squared_quantile(0.95, static_cast<double>(differences.size()));
+    // Hotelling's T² of an estimated noise; χ² of a known one.
+    const auto count = static_cast<double>(differences.size());
+    step.limit =
+        std::isinf(freedom) ? chi_squared_quantile(0.95, count) : count * f_quantile_above(0.05, count, freedom);
   }
   return step;
 }

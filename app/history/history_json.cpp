@@ -20,8 +20,13 @@ Json entry_json(const HistoryEntry& entry) {
 }
 
 Json change_json(const ParameterChange& change) {
-  return {{"name", change.name}, {"unit", change.unit}, {"then", change.then},
-          {"now", change.now},   {"u", change.u},       {"significant", change.significant}};
+  return {{"name", change.name},
+          {"unit", change.unit},
+          {"then", change.then},
+          {"now", change.now},
+          {"u", change.u},
+          {"limit", change.limit},
+          {"significant", change.significant}};
 }
 
 Json drift_json(const Drift& drift) {

@@ -85,10 +85,10 @@ std::string step_text(const ArmHistory& history, const CalibrationStep& step, bo
       table.add({"  " + change.name, as.name, fmt::format("{:.{}f}", change.then / as.size, as.decimals),
                  fmt::format("{:.{}f}", change.now / as.size, as.decimals),
                  fmt::format("{:+.2g}", (change.now - change.then) / as.size),
-                 fmt::format("{:.2g}", change.u / as.size), change.significant ? "beyond 2 u" : ""});
+                 fmt::format("{:.2g}", change.u / as.size), change.significant ? "significant" : ""});
     }
   }
-  text += any ? table.text() : "  No parameter by itself changed by more than 2 u.\n";
+  text += any ? table.text() : "  No parameter by itself changed significantly.\n";
   return text + in_common_text(step.in_common);
 }
 

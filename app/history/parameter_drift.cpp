@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -10,6 +11,7 @@
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/shown_unit.h"
+#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -44,6 +46,12 @@ TimeLabels labels_of(const std::vector<const Calibration*>& calibrations) {
 double extent(const ParameterChange& change) { return std::abs(change.now - change.then) + 2.0 * change.u; }
 double severity(const ParameterChange& change) { return std::abs(change.now - change.then) / change.u; }
 
+double k_of(const Calibration& now, double u_now, const Calibration& first, double u_first) {
+  const std::array<UncertaintyComponent, 2> components{
+      {{u_first, first.degrees_of_freedom}, {u_now, now.degrees_of_freedom}}};
+  return stated_coverage_factor(effective_degrees_of_freedom(components));
+}
+
 // Changes since the first, of the parameters that changed most against u.
 Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std::vector<ParameterChange> changes,
                         const std::string& unit, double size) {
@@ -64,16 +72,18 @@ Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std
       const bool is_first = calibration == calibrations.front();
       u_first = is_first ? at->u : u_first;
       y.push_back(drawn((at->value - change.then) / size));
-      bars.push_back(is_first ? Json(0.0) : drawn(2.0 * std::hypot(at->u, u_first) / size));
+      bars.push_back(is_first ? Json(0.0)
+                              : drawn(k_of(*calibration, at->u, *calibrations.front(), u_first) *
+                                      std::hypot(at->u, u_first) / size));
     }
     series.push_back({{"name", change.name}, {"x", times.labels}, {"y", y}, {"bars", bars}});
   }
-  return {
-      fmt::format("Drift of parameters in {}", unit),
-      fmt::format("The {} that changed most against their uncertainty, since {}; bars are twice the standard "
-                  "uncertainty of the change. Parameters told so poorly that no such change would show are left out.",
-                  plural(changes.size(), "parameter"), times.labels.front()),
-      {{"kind", "drift"}, {"quantity", "change"}, {"unit", unit}, {"dated", times.dated}, {"series", series}}};
+  return {fmt::format("Drift of parameters in {}", unit),
+          fmt::format("The {} that changed most against their uncertainty, since {}; bars are the expanded "
+                      "uncertainty of the change (k = 2, Student's factor below 60 degrees of freedom). Parameters "
+                      "told so poorly that no such change would show are left out.",
+                      plural(changes.size(), "parameter"), times.labels.front()),
+          {{"kind", "drift"}, {"quantity", "change"}, {"unit", unit}, {"dated", times.dated}, {"series", series}}};
 }
 
 // In a unit in which drifts have a few digits.
@@ -91,7 +101,8 @@ std::pair<std::string, double> drift_unit(const ParameterChange& change) {
 html::Table parameter_table(const std::vector<ParameterChange>& changes, const std::string& caption) {
   html::Table table = change_table(caption);
   for (const ParameterChange& change : changes) {
-    add(table, {change.name, change.unit, change.then, change.now, change.u, change.significant ? "⚠ beyond 2 u" : ""});
+    add(table,
+        {change.name, change.unit, change.then, change.now, change.u, change.significant ? "⚠ significant" : ""});
   }
   return table;
 }

@@ -1,7 +1,9 @@
 #include "app/report/drift.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -73,30 +75,33 @@ struct Track {
   std::string name;
   std::string unit;
   std::vector<double> values, u;  ///< mm or rad
+  std::vector<double> freedom;    ///< degrees of freedom of each u
 
   [[nodiscard]] double change(std::size_t i) const { return values[i] - values.front(); }
   // The results are independent of one another.
   [[nodiscard]] double u_of_change(std::size_t i) const { return std::hypot(u[i], u.front()); }
+  [[nodiscard]] double freedom_of_change(std::size_t i) const {
+    return effective_degrees_of_freedom(
+        std::array<UncertaintyComponent, 2>{{{u[i], freedom[i]}, {u.front(), freedom.front()}}});
+  }
   [[nodiscard]] double standardised() const { return std::abs(change(u.size() - 1)) / u_of_change(u.size() - 1); }
 };
 
 std::vector<Track> tracks_of(const Results& results) {
   std::vector<Track> tracks;
   for (const Json& name : results.front()->at("covariance").at("parameters")) {
-    Track track{name, parameter_named(*results.front(), name).at("unit"), {}, {}};
+    Track track{name, parameter_named(*results.front(), name).at("unit"), {}, {}, {}};
     for (const Json* result : results) {
       const Json& parameter = parameter_named(*result, track.name);
       track.values.push_back(parameter.at("identified"));
       track.u.push_back(parameter.at("standard_uncertainty"));
+      const bool is_estimated = parameter.contains("degrees_of_freedom") && parameter["degrees_of_freedom"].is_number();
+      track.freedom.push_back(is_estimated ? parameter["degrees_of_freedom"].get<double>()
+                                           : std::numeric_limits<double>::infinity());
     }
     tracks.push_back(std::move(track));
   }
   return tracks;
-}
-
-// Beyond this many u one of so many sound changes lies once in twenty comparisons.
-double coverage_of(std::size_t count) {
-  return normal_quantile(1.0 - 0.025 / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
 // About how far the tip moves by one unit of a parameter, mm: by a compliance at 1 N·m, by an expansion at 10 K.
@@ -114,15 +119,18 @@ Figure drift_figure(std::vector<Track> tracks, const Times& times, double reach)
     Json y = Json::array(), bars = Json::array();
     for (std::size_t i = 0; i < track.values.size(); ++i) {
       y.push_back(drawn(scale * track.change(i)));
-      bars.push_back(i == 0 ? Json(0.0) : drawn(2.0 * scale * track.u_of_change(i)));
+      bars.push_back(i == 0 ? Json(0.0)
+                            : drawn(stated_coverage_factor(track.freedom_of_change(i)) * scale * track.u_of_change(i)));
     }
     series.push_back({{"name", track.name}, {"x", times.labels}, {"y", y}, {"bars", bars}});
   }
   return {
       "Drift of the parameters since the first identification",
-      fmt::format("The {} that changed most against their uncertainty. Angles by what they move the tip at full reach "
-                  "({:.0f} mm); bars are twice the standard uncertainty of the change.",
-                  plural(tracks.size(), "parameter"), reach),
+      fmt::format(
+          "The {} that changed most against their uncertainty. Angles by what they move the tip at full reach "
+          "({:.0f} mm); bars are the expanded uncertainty of the change (k = 2, Student's factor below 60 degrees of "
+          "freedom).",
+          plural(tracks.size(), "parameter"), reach),
       {{"kind", "drift"}, {"quantity", "change"}, {"unit", "µm"}, {"dated", times.dated}, {"series", series}}};
 }
 
@@ -132,6 +140,25 @@ bool share_a_recording(const Results& results) {
     recordings.insert(result->at("inputs").at(0).at("sha256"));
   }
   return recordings.size() < results.size();
+}
+
+// A parameter that is not identified and has not the same value in all results; empty where there is none.
+std::string held_elsewhere(const Results& results) {
+  const Json& names = results.front()->at("covariance").at("parameters");
+  for (const Json& parameter : results.front()->at("parameters")) {
+    if (std::find(names.begin(), names.end(), parameter.at("name")) != names.end()) {
+      continue;
+    }
+    for (const Json* result : results) {
+      const Json& all = result->at("parameters");
+      const auto same = std::find_if(all.begin(), all.end(),
+                                     [&](const Json& other) { return other.at("name") == parameter.at("name"); });
+      if (same == all.end() || same->at("identified") != parameter.at("identified")) {
+        return parameter.at("name");
+      }
+    }
+  }
+  return "";
 }
 
 void write_parameters(const Results& results, Sheet& sheet) {
@@ -149,24 +176,37 @@ void write_parameters(const Results& results, Sheet& sheet) {
         "parameters cannot be compared one by one. Identify all with the same --hold and --free.");
     return;
   }
+  if (const std::string partner = held_elsewhere(results); !partner.empty()) {
+    sheet.note(fmt::format(
+        "{} was held at different values. Readings tell only a combination of it and others, which make up for the "
+        "difference: their parameters cannot be compared one by one. Identify all from the same nominal arm.",
+        partner));
+    return;
+  }
   const auto tracks = tracks_of(results);
-  const double coverage = coverage_of(tracks.size());
   const Times times = times_of(results);
   const std::size_t last = results.size() - 1;
+  double widest = 0.0;
+  const auto limit_of = [&](const Track& track) {
+    return significance_factor(tracks.size(), track.freedom_of_change(last));
+  };
   sheet.figure(drift_figure(tracks, times, results.front()->at("coupling").at("angle_scale_mm")));
   html::Table table =
       change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
                                times.labels.front().get<std::string>(), times.labels.back().get<std::string>()));
   for (const Track& track : tracks) {
     add(table, {track.name, track.unit, track.values.front(), track.values.back(), track.u_of_change(last),
-                track.standardised() > coverage ? "⚠ significant" : ""});
+                track.standardised() > limit_of(track) ? "⚠ significant" : ""});
+  }
+  for (const Track& track : tracks) {
+    widest = std::max(widest, limit_of(track));
   }
   sheet.table(table);
   sheet.paragraph(fmt::format(
       "Significant: a change beyond {:.1f} u, which by chance one of {} parameters shows in one of twenty comparisons. "
       "The "
       "results are taken to be independent of one another; what a common artefact is wrong by changes none of them.",
-      coverage, tracks.size()));
+      widest, tracks.size()));
 }
 
 void write_test_values(const Results& results, const std::string& standard, Sheet& sheet) {

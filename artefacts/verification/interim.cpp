@@ -13,7 +13,6 @@ namespace {
 using Key = std::tuple<Quantity, std::string, std::string, std::string, std::string>;
 using Groups = std::map<Key, std::vector<const TestValue*>>;
 
-constexpr double probability = 0.95;
 constexpr double chance_of_unequal = 0.05;  // of calling equal scatters different
 
 Groups grouped(const std::vector<TestValue>& values) {
@@ -146,10 +145,16 @@ InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestVa
     drift.u = combined(components);
     if (drift.degrees_of_freedom > 0) {
       drift.effective_degrees_of_freedom = effective_degrees_of_freedom(components);
-      drift.coverage = student_coverage_factor(probability, drift.effective_degrees_of_freedom);
-      drift.significant = std::abs(drift.drift) > drift.coverage * drift.u;
     }
     check.drifts.push_back(drift);
+  }
+  const auto told = static_cast<std::size_t>(std::count_if(
+      check.drifts.begin(), check.drifts.end(), [](const Drift& drift) { return drift.degrees_of_freedom > 0; }));
+  for (Drift& drift : check.drifts) {
+    if (drift.degrees_of_freedom > 0) {
+      drift.coverage = significance_factor(told, drift.effective_degrees_of_freedom);
+      drift.significant = std::abs(drift.drift) > drift.coverage * drift.u;
+    }
   }
   return check;
 }

@@ -19,7 +19,7 @@ struct Drift {
   int degrees_of_freedom = 0;    ///< of it; 0: there were no repeats, and nothing can be called significant
   /// Of u, which also holds what both budgets state (Welch, Satterthwaite); infinite where repeats add nothing to it.
   double effective_degrees_of_freedom = 0.0;
-  double coverage = 0.0;     ///< factor for 95 % with these degrees of freedom (Student)
+  double coverage = 0.0;     ///< significance_factor() of all drifts together, by these degrees of freedom
   bool significant = false;  ///< beyond `coverage` times u
 };
 

@@ -1,6 +1,7 @@
 #include "artefacts/verification/sphere_plate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -16,6 +17,7 @@
 #include "artefacts/verification/strangeness.h"
 #include "artefacts/verification/traceability.h"
 #include "core/in_quotes.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
@@ -71,6 +73,13 @@ double u_of_scale(const Session& session, const Artefact& artefact, const Patter
   const ThermalState thermal = thermal_state(session, artefact, temperature);
   const Budget per_length = with_thermal({}, 1.0, thermal);
   return std::hypot(std::hypot(scatter, u_at) / std::sqrt(fit.spread), per_length.total());
+}
+
+// Of a combined u, of which `scatter` was estimated with `freedom` degrees of freedom.
+double coverage_factor_of(double scatter, double freedom, double u) {
+  const std::array<UncertaintyComponent, 2> components{
+      {{scatter, freedom}, {std::sqrt(std::max(0.0, u * u - scatter * scatter))}}};
+  return stated_coverage_factor(effective_degrees_of_freedom(components));
 }
 
 std::string names_of(const Artefact& artefact, const Pattern& pattern, const std::vector<int>& which) {
@@ -164,6 +173,8 @@ Expected<PlatePlacement> evaluate(const Session& session, const Artefact& artefa
   const double squares = std::max(0.0, fit->residuals.squaredNorm() - explained);
   const double scatter = 3 * n > 7 ? std::sqrt(squares / static_cast<double>(3 * n - 7)) : 0.0;
   plate.u_scale = u_of_scale(session, artefact, pattern, *fit, scatter, temperature);
+  const double freedom = static_cast<double>(std::max<Eigen::Index>(1, 3 * n - 7));
+  plate.k_scale = coverage_factor_of(scatter / std::sqrt(fit->spread), freedom, plate.u_scale);
   const Strangeness strangeness = strangeness_of(pattern.measured, pattern.certified);
   plate.limit = strangeness.limit;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -177,7 +188,8 @@ Expected<PlatePlacement> evaluate(const Session& session, const Artefact& artefa
       const CertifiedFeature& b = artefact.features[pattern.features[j]];
       const double error = (pattern.measured.col(i) - pattern.measured.col(j)).norm() -
                            (pattern.certified.col(i) - pattern.certified.col(j)).norm();
-      const double U = 2.0 * std::hypot(std::sqrt(2.0) * scatter, std::hypot(a.u_at, b.u_at));
+      const double u = std::hypot(std::sqrt(2.0) * scatter, std::hypot(a.u_at, b.u_at));
+      const double U = coverage_factor_of(std::sqrt(2.0) * scatter, freedom, u) * u;
       plate.en_worst = std::max(plate.en_worst, U > 0.0 ? std::abs(error) / U : 0.0);
     }
   }

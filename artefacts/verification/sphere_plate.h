@@ -29,6 +29,7 @@ struct PlatePlacement {
   double limit = 0.0;                     ///< of BallResidual::standardised
   double scale = 0.0;                     ///< measured over certified, less one
   double u_scale = 0.0;                   ///< standard uncertainty: scatter, certificate, temperature
+  double k_scale = 2.0;                   ///< coverage factor by its effective degrees of freedom
   double en_worst = 0.0;                  ///< largest |En| of its distances
   std::vector<std::string> not_measured;  ///< certified balls without readings
   std::string finding;                    ///< what is wrong with the names or the poses; empty: nothing

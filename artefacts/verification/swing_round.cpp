@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "artefacts/verification/rigid_fit.h"
+#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -59,7 +60,9 @@ Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& place
   for (const auto& placement : moved) {
     result.u += (placement - mean).colwise().squaredNorm().transpose();
   }
-  result.u = (result.u / (3.0 * count * (count - 1.0))).cwiseSqrt();
+  const double balls = static_cast<double>(certified.cols());
+  result.degrees_of_freedom = (3.0 - 6.0 / balls) * (count - 1.0);
+  result.u = (result.u / (count * result.degrees_of_freedom)).cwiseSqrt();
   result.least_turn = std::numbers::pi;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     for (std::size_t j = i + 1; j < turns.size(); ++j) {
@@ -76,10 +79,12 @@ Artefact calibrated_artefact(const Artefact& certified, const PlateCalibration& 
   artefact.certificate = {};
   artefact.note = fmt::format(
       "Coordinates by a swing-round of {} placements, turned by at least {:.0f} degrees against each other; U by their "
-      "scatter. The scale is the arm's and not in U: it needs a calibrated length. Diameters, form and expansion are "
+      "scatter, written with k = 2; its {:.3g} degrees of freedom ask for k = {:.3g} for 95 %. The scale is the arm's "
+      "and not in U: it needs a calibrated length. Diameters, form and expansion are "
       "those "
       "of the certificate of before.",
-      calibration.placements, calibration.least_turn / units::degree);
+      calibration.placements, calibration.least_turn / units::degree, calibration.degrees_of_freedom,
+      stated_coverage_factor(calibration.degrees_of_freedom));
   for (std::size_t i = 0; i < calibration.features.size(); ++i) {
     const int index = certified.feature_index(calibration.features[i]);
     CertifiedFeature feature = certified.features[static_cast<std::size_t>(index)];

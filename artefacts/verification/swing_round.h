@@ -18,6 +18,8 @@ struct PlateCalibration {
   Eigen::Matrix3Xd centres;     ///< in the certificate's frame, mm at the reference temperature; the arm's scale
   Eigen::Matrix3Xd deviations;  ///< centres − certified, after the best rigid motion, mm
   Eigen::VectorXd u;            ///< standard uncertainty of each coordinate by the scatter over the placements, mm
+  /// Of u: each placement's pose is fitted to the balls too, which takes 6 of its 3·n coordinates.
+  double degrees_of_freedom = 0.0;
   int placements = 0;
   double least_turn = 0.0;  ///< smallest angle by which two placements are turned against each other, rad
 };

@@ -55,6 +55,22 @@ TEST(Statistics, StudentFactorsAtSmallDegreesOfFreedom) {
   EXPECT_NEAR(student_coverage_factor(0.95, INFINITY), 1.959963984540054, 1e-12);
 }
 
+// JCGM 100, table G.2 at 95 %: 12.71, 2.57, 2.23 for 1, 5 and 10 degrees of freedom.
+TEST(Statistics, StatedCoverageFactorsAreTwoOrStudents) {
+  EXPECT_NEAR(stated_coverage_factor(1), 12.71, 0.01);
+  EXPECT_NEAR(stated_coverage_factor(5), 2.57, 0.01);
+  EXPECT_NEAR(stated_coverage_factor(10), 2.23, 0.01);
+  EXPECT_EQ(stated_coverage_factor(100), 2.0);
+  EXPECT_EQ(stated_coverage_factor(INFINITY), 2.0);
+}
+
+// scipy 1.10: norm.isf(0.025/20), t.isf(0.025, 1), t.isf(0.0125, 5).
+TEST(Statistics, SignificanceCountsWhatIsLookedAt) {
+  EXPECT_NEAR(significance_factor(20, INFINITY), 3.0233414, 1e-6);
+  EXPECT_NEAR(significance_factor(1, 1), 12.7062047, 1e-6);
+  EXPECT_NEAR(significance_factor(2, 5), 3.1633815, 1e-6);
+}
+
 // A normal variable exceeds 4 once in 31,574: scipy 1.10 stats.t.isf(stats.norm.sf(4), ...).
 TEST(Statistics, StudentLimitsAsRareAsFourSigma) {
   EXPECT_NEAR(student_limit_as_rare_as(4.0, 1) / 10050.439032475448, 1.0, 1e-7);

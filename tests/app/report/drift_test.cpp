@@ -93,6 +93,35 @@ TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
   EXPECT_EQ(significant_in(page), 0);
 }
 
+// The same arm identified from a nominal arm with a6 = 0 and with 5 mm: theta6 differs by a6/l, and nothing has
+// drifted.
+TEST(Drift, OfParametersWhosePartnersWereHeldElsewhereIsNotTold) {
+  Json first = identification("2026-01-01", "a", 0.0);
+  Json second = identification("2026-02-01", "b", 0.0);
+  second["parameters"][1]["identified"] = 0.027;
+  first["parameters"].push_back(
+      {{"name", "a6"}, {"unit", "mm"}, {"identified", 0.0}, {"standard_uncertainty", nullptr}});
+  second["parameters"].push_back(
+      {{"name", "a6"}, {"unit", "mm"}, {"identified", 5.0}, {"standard_uncertainty", nullptr}});
+  const std::string page = page_of({first, second});
+  EXPECT_THAT(page, HasSubstr("a6 was held at different values"));
+  EXPECT_EQ(significant_in(page), 0);
+}
+
+// Two results of noise with one degree of freedom each: two together, and for twenty parameters 20.0 u, not 3.0
+// (scipy 1.10, t.isf(0.025/20, 2)).
+TEST(Drift, CountsTheDegreesOfFreedom) {
+  Json first = identification("2026-01-01", "a", 0.0);
+  Json later = identification("2026-02-01", "b", 0.0);
+  for (Json* json : {&first, &later}) {
+    for (Json& parameter : (*json)["parameters"]) parameter["degrees_of_freedom"] = 1.0;
+  }
+  later["parameters"][3]["identified"] = 19.0 * 1.41421356 * u;
+  EXPECT_EQ(significant_in(page_of({first, later})), 0);
+  later["parameters"][3]["identified"] = 21.0 * 1.41421356 * u;
+  EXPECT_EQ(significant_in(page_of({first, later})), 1);
+}
+
 TEST(Drift, OfVerificationsIsThatOfTheirWorstValues) {
   const std::string page = page_of({verification("2027-01-01", 0.05), verification("2026-01-01", 0.02)});
   const auto then = page.find("2026-01-01</td><td class=\"number\">-20.0</td>");
