@@ -115,7 +115,7 @@ std::optional<std::string> what_stands_out(const Evaluation& evaluation, double 
       "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.6g} mm with an arm that "
       "fits the others (have these features each other's names?)",
       in_quotes(length->first.feature), in_quotes(length->second), in_quotes(length->first.placement), length->error,
-      length->certified);
+      length->certified.value);
 }
 
 }  // namespace artcal
