@@ -130,6 +130,12 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
     table.fail("encoder_noise", "`encoder_noise` and `probing_noise` belong together; state both");
   }
   known.readings = read_fingerprints(table);
+  if (table.has("unmodelled")) {
+    known.unmodelled = table.number("unmodelled");
+    if (!(known.unmodelled >= 1.0)) {
+      table.fail("unmodelled", "the factor of the unmodelled error is below 1");
+    }
+  }
   const auto size = static_cast<Eigen::Index>(known.parameters.size());
   known.covariance.resize(size, size);
   const auto parameters = all_parameters(arm);
@@ -222,6 +228,12 @@ std::string identification_text(const ArmIdentification& known) {
     text +=
         fmt::format("encoder_noise = {}  # rad, of each joint\nprobing_noise = {}  # mm, of a coordinate beside it\n",
                     toml_number(*known.encoder_noise), toml_number(*known.probing_noise));
+  }
+  if (known.unmodelled > 1.0) {
+    text += fmt::format(
+        "unmodelled = {}  # factor in the covariance's standard uncertainties: what placements left out showed beyond "
+        "them\n",
+        toml_number(known.unmodelled));
   }
   text += fingerprints_text(known.readings) + "covariance = [\n";
   for (const auto& row : known.covariance.rowwise()) {

@@ -18,6 +18,9 @@ struct ArmIdentification {
   std::optional<double> encoder_noise;  ///< standard deviation of each joint, rad; where the noise was known by parts
   std::optional<double> probing_noise;  ///< and of the tip's coordinates beside that, mm
   std::vector<std::string> misfits;     ///< why the arm is no solution of its readings; empty: it is one
+  /// Unmodelled error: factor that the covariance's standard uncertainties were enlarged by, to what placements left
+  /// out showed; 1 where they showed none.
+  double unmodelled = 1.0;
   /// Fingerprints of the readings it was identified from (reading_fingerprint.h), sorted; those of the readings behind
   /// the parameters that it started from are among them. None in files of earlier versions.
   std::vector<std::string> readings;

@@ -12,7 +12,6 @@
 namespace artcal {
 namespace {
 
-constexpr double k = 2.0;
 constexpr double probability = 0.95;
 constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* radian = "\\radian";
@@ -32,14 +31,17 @@ DccEntry plain_entry(const std::string& name, double value) {
 }
 
 DccResult identified_parameters(const Identification& result) {
-  DccResult section{"Identified parameters",
-                    "Denavit-Hartenberg parameters of the arm. U is expanded with k = 2. They are correlated: combine "
-                    "them with their covariance, which stands in the program's own files, not one by one.",
-                    {}};
+  DccResult section{
+      "Identified parameters",
+      "Denavit-Hartenberg parameters of the arm. U is expanded with the coverage factor that stands beside "
+      "it: 2, or Student's for 95 % and the effective degrees of freedom. They are correlated: combine them "
+      "with their covariance, which stands in the program's own files, not one by one.",
+      {}};
   for (const IdentifiedParameter& p : result.parameters) {
-    if (p.state == ParameterState::Identified) {
+    if (p.state == ParameterState::Identified || p.state == ParameterState::Weak) {
       section.entries.push_back({p.parameter.name, "artcal_parameterIdentified", unit_of(p), p.identified,
-                                 DccUncertainty{k * p.u, k, probability}, std::nullopt, ""});
+                                 DccUncertainty{p.coverage_factor() * p.u, p.coverage_factor(), probability},
+                                 std::nullopt, ""});
     }
   }
   return section;
@@ -50,7 +52,7 @@ DccResult kept_parameters(const Identification& result) {
                     "Kept by request or because the readings cannot tell them; no uncertainty is stated.",
                     {}};
   for (const IdentifiedParameter& p : result.parameters) {
-    if (p.state != ParameterState::Identified) {
+    if (p.state != ParameterState::Identified && p.state != ParameterState::Weak) {
       section.entries.push_back(
           {p.parameter.name, "artcal_parameterKept", unit_of(p), p.identified, std::nullopt, std::nullopt, ""});
     }
@@ -101,15 +103,28 @@ std::vector<std::string> statements_of(const Recording& recording, const Constra
   return statements;
 }
 
+std::string unmodelled_text(const CrossValidation& found) {
+  if (found.scale > 1.0) {
+    return fmt::format(
+        "; unmodelled error: enlarged by the factor {:.3g}, because {} placements left out showed errors of {:.3g} "
+        "standard uncertainties (rms)",
+        found.scale, found.placements, found.ratio);
+  }
+  return found.placements > 0
+             ? fmt::format("; {} placements left out agree with them (errors of {:.2g} standard uncertainties, rms)",
+                           found.placements, found.ratio)
+             : std::string("; they take the model as true, which no placement left out could test");
+}
+
 DccMethod method_of(const Recording& recording, const Identification& result) {
   return {
       "Identification of kinematic parameters",
       fmt::format("Weighted least squares on {} readings on calibrated artefacts ({} Denavit-Hartenberg convention). "
                   "Noise of a reading {} mm a coordinate, {}; chi-squared {} with {} degrees of freedom. Standard "
-                  "uncertainties by linear propagation; they take the model as true.",
+                  "uncertainties by linear propagation{}.",
                   recording.readings.size(), recording.arm.convention == Convention::Standard ? "standard" : "modified",
                   result.noise, result.noise_is_given ? "as stated" : "estimated from the residuals",
-                  result.chi_squared, result.degrees_of_freedom)};
+                  result.chi_squared, result.degrees_of_freedom, unmodelled_text(result.cross_validation))};
 }
 
 }  // namespace

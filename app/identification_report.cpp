@@ -13,8 +13,10 @@ nlohmann::ordered_json expected_uncertainty(const Recording& recording, const Id
   const UncertaintySources sources = uncertainty_sources(result.arm, arm_identification(recording, options, result));
   const VolumeSampling sampling;
   const UncertainArm arm(result.arm, sources);
+  ArmIdentification known;
+  known.unmodelled = result.cross_validation.scale;
   return to_json(
-      SurveyResult{{result.arm, std::nullopt, recording.inputs.front()}, sources, 0, sampling, survey(arm, sampling)});
+      SurveyResult{{result.arm, known, recording.inputs.front()}, sources, 0, sampling, survey(arm, sampling)});
 }
 
 }  // namespace

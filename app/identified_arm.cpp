@@ -23,6 +23,7 @@ ArmIdentification arm_identification(const Recording& recording, const IdentifyO
     known.probing_noise = *options.noise.probing * result.enlargement;
   }
   known.misfits = result.misfits;
+  known.unmodelled = result.cross_validation.scale;
   // What was fixed rests on the readings that the arm it started from was identified from.
   const auto& before = recording.arm_identification;
   known.readings = fingerprints_of(recording, before ? before->readings : std::vector<std::string>{});

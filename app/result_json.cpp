@@ -1,5 +1,7 @@
 #include "app/result_json.h"
 
+#include <cmath>
+
 #include "app/artefacts_told.h"
 #include "app/coupling_json.h"
 #include "app/evaluation_json.h"
@@ -35,6 +37,10 @@ Json parameters_json(const Identification& result) {
                     {"nominal", parameter.nominal},
                     {"identified", parameter.identified},
                     {"standard_uncertainty", identified ? Json(parameter.u) : Json(nullptr)},
+                    {"degrees_of_freedom", identified && std::isfinite(parameter.degrees_of_freedom)
+                                               ? Json(parameter.degrees_of_freedom)
+                                               : Json(nullptr)},
+                    {"coverage_factor", identified ? Json(parameter.coverage_factor()) : Json(nullptr)},
                     {"state", result_name(parameter.state)}});
   }
   return json;
@@ -101,6 +107,14 @@ Json noise_json(const IdentifyOptions& options, const Identification& result) {
   return json;
 }
 
+Json cross_validation_json(const CrossValidation& found) {
+  if (found.placements == 0) {
+    return nullptr;
+  }
+  return {{"placements", found.placements}, {"predictions", found.predictions},    {"ratio", found.ratio},
+          {"ratio_99", found.limit},        {"point_error_mm", found.point_error}, {"scale", found.scale}};
+}
+
 }  // namespace
 
 Json result_header(const Recording& recording, const char* kind, const std::optional<std::uint64_t>& seed) {
@@ -135,6 +149,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
   json["before"] = evaluation_json(result.before);
   json["after"] = evaluation_json(result.after);
   json["left_out"] = json_list(result.left_out, left_out_json);
+  json["cross_validation"] = cross_validation_json(result.cross_validation);
   json["outliers"] = json_list(result.outliers, [&](const Outlier& outlier) -> Json {
     return {{"reading", outlier.reading},
             {"where", recording.where(outlier.reading)},

@@ -61,6 +61,16 @@ std::string noise_text(const UncertaintySources& sources) {
                                : fmt::format("{:.3g} um a coordinate", sources.probing / units::micrometre);
 }
 
+std::string unmodelled_text(const std::optional<ArmIdentification>& known) {
+  if (known && known->unmodelled > 1.0) {
+    return fmt::format(
+        "Unmodelled error is in it as\nfar as placements left out showed it: the arm's share is enlarged by {:.3g}.\n",
+        known->unmodelled);
+  }
+  return "Errors that its model\n"
+         "does not have (with the chain alone: bending, eccentric encoders, warmth) come on top.\n";
+}
+
 }  // namespace
 
 std::string at_what_temperature(const Arm& arm) {
@@ -77,6 +87,7 @@ Json to_json(const SurveyResult& result) {
   json["seed"] = result.sampling.seed;
   json["encoder_noise_rad"] = result.sources.encoder;
   json["probing_noise_mm"] = result.sources.probing;
+  json["unmodelled"] = result.file.identification ? result.file.identification->unmodelled : 1.0;
   json["lengths"] = Json::array();
   for (const LengthUncertainty& length : result.volume.lengths) {
     json["lengths"].push_back(
@@ -97,11 +108,10 @@ std::string to_text(const SurveyResult& result) {
       "Standard uncertainty (k = 1, um) of what this arm measures, at random places and postures:\n\n{}\n"
       "Standard uncertainty of a point (um, all three coordinates together) over the working volume, in the base\n"
       "frame of this arm; mm, . = out of reach:\n\n{}\n"
-      "{}This is what the readings behind the arm and their noise leave open, to first order. Errors that its model\n"
-      "does not have (with the chain alone: bending, eccentric encoders, warmth) come on top.\n",
+      "{}This is what the readings behind the arm and their noise leave open, to first order. {}",
       in_quotes(at_most(60, result.file.arm.name)), result.sources.parameters.size(), noise_text(result.sources),
-      lengths_text(result.volume), map_text(result.volume, result.sampling.rings),
-      at_what_temperature(result.file.arm));
+      lengths_text(result.volume), map_text(result.volume, result.sampling.rings), at_what_temperature(result.file.arm),
+      unmodelled_text(result.file.identification));
 }
 
 }  // namespace artcal

@@ -1,12 +1,15 @@
 #include "identification/identify.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "acquisition/tip_centres.h"
 #include "core/in_quotes.h"
+#include "core/statistics.h"
 #include "identification/common_errors.h"
 #include "identification/description.h"
 #include "identification/goodness_of_fit.h"
@@ -20,6 +23,7 @@
 #include "identification/preparation.h"
 #include "identification/residual_search.h"
 #include "identification/solution_search.h"
+#include "identification/unmodelled_errors.h"
 
 namespace artcal {
 namespace {
@@ -52,6 +56,13 @@ std::vector<std::string> strangers(const Recording& recording, const Constraints
   return where;
 }
 
+// Certificates' errors are those of the placement left out too and cancel there in part: each counts as new, here too.
+UncertaintySources sources_of(const Eigen::MatrixXd& covariance, double found_noise, const std::vector<Parameter>& free,
+                              const Noise& noise, double enlargement) {
+  return {free, enlargement * enlargement * covariance, enlargement * noise.encoder.value_or(0.0),
+          enlargement * noise.probing.value_or(found_noise)};
+}
+
 // A few steps from the solution instead of a whole identification. Priors, robust weights and the choice of what is
 // fixed are left to the latter.
 RefitWithout refit_of(const System& identified, const ArmFit& fit, const Recording& recording,
@@ -63,13 +74,29 @@ RefitWithout refit_of(const System& identified, const ArmFit& fit, const Recordi
   if (!refit) {
     return {};
   }
-  return [&, refit = std::move(*refit)](int artefact, int placement) -> std::optional<Arm> {
+  return [&, refit = std::move(*refit)](int artefact, int placement) -> std::optional<ArmWithout> {
     auto found = refit.without({artefact, placement});
-    if (!found || !keeps_all_members(recording, identified.free, options, found->arm, found->covariance)) {
+    if (!found || !keeps_all_members(recording, identified.free, options, found->arm, found->covariance_bound)) {
       return std::nullopt;
     }
-    return std::move(found->arm);
+    return ArmWithout{std::move(found->arm),
+                      sources_of(found->covariance, fit.noise, identified.free, options.noise, result.enlargement)};
   };
+}
+
+// Of each u: the part that the residuals gave has theirs, the certificates' part is known (Welch, Satterthwaite).
+void set_degrees_of_freedom(const Eigen::MatrixXd& of_readings, int degrees_of_freedom, Identification& result) {
+  if (result.noise_is_given && result.enlargement <= 1.0) {
+    return;
+  }
+  for (std::size_t i = 0; i < result.free.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double noise = result.enlargement * std::sqrt(of_readings(k, k));
+    const double all = std::sqrt(result.covariance(k, k));
+    const std::array<UncertaintyComponent, 2> components{
+        {{noise, static_cast<double>(degrees_of_freedom)}, {std::sqrt(std::max(0.0, all * all - noise * noise))}}};
+    result.parameters[result.free[i]].degrees_of_freedom = effective_degrees_of_freedom(components);
+  }
 }
 
 void tell(const IdentifyOptions& options, const std::string& what) {
@@ -79,6 +106,8 @@ void tell(const IdentifyOptions& options, const std::string& what) {
 }
 
 }  // namespace
+
+double IdentifiedParameter::coverage_factor() const { return stated_coverage_factor(degrees_of_freedom); }
 
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options) {
@@ -129,6 +158,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   if (auto sensible = check_joint_errors(result.parameters); !sensible) {
     return tl::unexpected(sensible.error());
   }
+  set_degrees_of_freedom(*covariance, fit->degrees_of_freedom, result);
   result.artefact_values = describe_artefacts(constraints, *fit, *common, result.enlargement);
   // A nominal arm so far off that nothing can be fitted to its points says nothing against the identified one.
   result.before = before ? *before : not_evaluated(found->after);
@@ -168,17 +198,21 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
       again.noise.reading = fit->noise;
     }
     // From the arm found: what one placement less changes is small, and the nominal arm is far.
-    const auto identify_without = [&](const Constraints& rest) -> Expected<Arm> {
+    const auto identify_without = [&](const Constraints& rest) -> Expected<ArmWithout> {
       auto prepared = prepare_from(fit->arm, recording, rest, again);
       if (!prepared) {
         return tl::unexpected(prepared.error());
       }
       return fit_groups(recording, rest, std::move(*prepared), again, {result.weak, recording.arm})
-          .map([](const GroupFit& refit) { return refit.fit.arm; });
+          .map([&](const GroupFit& refit) {
+            return ArmWithout{refit.fit.arm,
+                              sources_of(refit.fit, refit.preparation.free, options.noise, result.enlargement)};
+          });
     };
     result.left_out = leave_placements_out(
         identified, recording, constraints,
         {refit_of(identified, *fit, recording, again, result), identify_without, options.threads, options.progress});
+    judge_by_left_out(options.loss, result);
   }
   result.coupling = std::move(preparation->coupling);
   const auto more = suspicions(result, reach(recording.arm));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,10 @@ struct IdentifiedParameter {
   double identified = 0.0;
   double u = 0.0;  ///< standard uncertainty; 0 and without meaning unless Identified or Weak
   ParameterState state = ParameterState::Identified;
+  /// Effective ones of u (Welch, Satterthwaite): of the noise where it was estimated; what certificates bring is known.
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] double coverage_factor() const;  ///< k of the expanded uncertainty
 };
 
 /// What the readings say of a number of an artefact itself (Constraints::shared): a ball's radius, or one of the
@@ -96,11 +101,33 @@ struct ArtefactInfluence {
   double share = 0.0;  ///< of what determines the arm: its part of the trace of the parameters' hat matrix, 0 to 1
 };
 
+/// A length or coordinate of a placement left out, as the arm identified without it measures it, mm.
+struct CheckedPrediction {
+  double error = 0.0;    ///< measured less certified
+  double u_arm = 0.0;    ///< its standard uncertainty by the parameters of that arm
+  double u_other = 0.0;  ///< by the noise of the readings and by the certificate
+};
+
 /// One placement judged by an arm that was identified without it.
 struct LeftOut {
   FeatureDeviation deviation;  ///< overall of the placement
   std::vector<LengthDeviation> lengths;
-  std::string refusal;  ///< why it could not be left out; empty if it could
+  std::vector<CheckedPrediction> predictions;  ///< of lengths, patterns and coordinates
+  double squares = 0.0;                        ///< of the deviations of its readings, mm²
+  int degrees_of_freedom = 0;                  ///< of these, a coordinate each, its own unknowns taken off
+  std::string refusal;                         ///< why it could not be left out; empty if it could
+};
+
+/// Whether placements left out are where the arms identified without them say, within their uncertainty.
+struct CrossValidation {
+  int placements = 0;        ///< that were left out and hold something to check; 0: nothing was checked
+  int predictions = 0;       ///< in all
+  double ratio = 0.0;        ///< of the errors to their standard uncertainties, rms over placements
+  double limit = 0.0;        ///< what chance stays below in 99 of 100 cases, where the model is right
+  double point_error = 0.0;  ///< unmodelled error of a coordinate of the tip at one posture, mm: beyond the noise
+  /// Factor on the covariance's standard uncertainties, so that points and lengths have the unmodelled error; 1 where
+  /// the model explains what placements left out show.
+  double scale = 1.0;
 };
 
 /// A model that identify_automatically() tried.
@@ -150,12 +177,13 @@ struct Identification {
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made
   std::vector<IdentifiedParameter> parameters;
   std::vector<int> free;       ///< indices into parameters, in the order of the covariance
-  Eigen::MatrixXd covariance;  ///< of these, in their units
+  Eigen::MatrixXd covariance;  ///< of these, in their units; with enlargement and cross_validation.scale
   Coupling coupling;
   std::vector<ArtefactValue> artefact_values;  ///< as Constraints::shared
   Evaluation before, after;
   std::vector<LeftOut> left_out;
   bool left_out_chose_the_model = false;  ///< the same placements were what identify_automatically() chose groups by
+  CrossValidation cross_validation;       ///< by left_out
   std::vector<Outlier> outliers;
   std::vector<CertificateOutlier> certificate_outliers;
   std::vector<ArtefactInfluence> influences;  ///< of each artefact that was read

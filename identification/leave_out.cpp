@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/parallel.h"
 #include "identification/evaluation_of_system.h"
+#include "identification/unmodelled_errors.h"
 
 namespace artcal {
 namespace {
@@ -32,21 +34,21 @@ LeftOut leave_out(const System& readings, const Recording& recording, const Cons
   }
   LeftOut result;
   result.deviation.name = {constraints.artefacts[place.first].name, recording.placements.name(place.second), ""};
-  Expected<Arm> arm = tl::unexpected(Error{});
+  Expected<ArmWithout> without = tl::unexpected(Error{});
   if (auto refit = leaving_out.refit ? leaving_out.refit(place.first, place.second) : std::nullopt) {
-    arm = std::move(*refit);
+    without = std::move(*refit);
   } else {
-    arm = leaving_out.identify(without_features(constraints, is_in_place));
+    without = leaving_out.identify(without_features(constraints, is_in_place));
   }
-  if (!arm) {
-    result.refusal = arm.error().text();
+  if (!without) {
+    result.refusal = without.error().text();
     return result;
   }
   is_in_place.flip();
-  const Constraints own = without_features(constraints, is_in_place);
+  const Constraints placement = without_features(constraints, is_in_place);
   System system = readings;  // with its readings' sines, which do not depend on the arm
-  system.constraints = &own;
-  system.start = *arm;
+  system.constraints = &placement;
+  system.start = without->arm;
   system.free.clear();
   system.scale.resize(0);
   const auto judged = evaluate(system, recording);
@@ -56,6 +58,18 @@ LeftOut leave_out(const System& readings, const Recording& recording, const Cons
   }
   result.deviation = judged->placements.front();
   result.lengths = judged->lengths;
+  std::set<int> groups;
+  for (std::size_t f = 0; f < placement.features.size(); ++f) {
+    const FeatureDeviation& deviation = judged->features[f];
+    result.squares += deviation.readings * deviation.rms * deviation.rms;
+    result.degrees_of_freedom += placement.features[f].size() * placement.features[f].dimension();
+    if (placement.features[f].group >= 0 && groups.insert(placement.features[f].group).second) {
+      result.degrees_of_freedom -= placement.groups[placement.features[f].group].size;
+    }
+  }
+  if (without->sources.covariance.size() > 0) {
+    result.predictions = check_predictions(recording, placement, *judged, without->arm, without->sources);
+  }
   return result;
 }
 

@@ -7,14 +7,21 @@
 #include "identification/identify.h"
 #include "identification/progress.h"
 #include "identification/system.h"
+#include "identification/uncertain_arm.h"
 
 namespace artcal {
 
+/// An arm that was identified without one placement, and what its points are uncertain by.
+struct ArmWithout {
+  Arm arm;
+  UncertaintySources sources;
+};
+
 /// Identifies an arm from constraints that lack one placement.
-using IdentifyWithout = std::function<Expected<Arm>(const Constraints&)>;
+using IdentifyWithout = std::function<Expected<ArmWithout>(const Constraints&)>;
 
 /// A faster way to the same arm; nothing where it cannot be had (PlacementRefit).
-using RefitWithout = std::function<std::optional<Arm>(int artefact, int placement)>;
+using RefitWithout = std::function<std::optional<ArmWithout>(int artefact, int placement)>;
 
 /// How an arm without a placement is to be had, on how many threads (0: all), and who is told how many are done.
 struct LeavingOut {

@@ -99,10 +99,12 @@ Unknowns PlacementRefit::unknowns_at(const Eigen::VectorXd& numbers) const {
 }
 
 // The residuals of the other placements are at most those of all at the solution for all.
-Eigen::MatrixXd PlacementRefit::covariance_bound(const GramTree::Without& factor, int degrees_of_freedom) const {
+PlacementRefit::Refit PlacementRefit::refit_of(Arm arm, const GramTree::Without& factor, int degrees_of_freedom) const {
   const double squares = fit_->residuals.readings_squared() + fit_->residuals.certificates_squared();
   const auto scale = system_->scale.asDiagonal();
-  return std::max(1.0, squares / degrees_of_freedom) * (scale * factor.arm_covariance() * scale);
+  Eigen::MatrixXd covariance = scale * factor.arm_covariance() * scale;
+  Eigen::MatrixXd bound = std::max(1.0, squares / degrees_of_freedom) * covariance;
+  return {std::move(arm), std::move(covariance), std::move(bound)};
 }
 
 std::optional<PlacementRefit::Refit> PlacementRefit::without(const Placement& placement) const {
@@ -141,7 +143,7 @@ std::optional<PlacementRefit::Refit> PlacementRefit::without(const Placement& pl
     }
     const Arm arm = system_->arm_at(numbers.data() + layout_.arm);
     if (step.length * shrinking < close_enough) {
-      return Refit{arm, covariance_bound(*factor, freedom)};
+      return refit_of(arm, *factor, freedom);
     }
     if (last > 0.0 && step.length > converges * last) {
       return std::nullopt;

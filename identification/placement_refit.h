@@ -20,11 +20,12 @@ class PlacementRefit {
   static Expected<PlacementRefit> of(const System& system, const ArmFit& fit, const Recording& recording,
                                      const Noise& noise);
 
-  /// An arm without a placement, and an upper bound of its parameters' covariance, times the reduced chi-squared where
-  /// that is above 1.
+  /// An arm without a placement and the covariance of its parameters under the weights of the fit; and an upper bound
+  /// of it, times the reduced chi-squared where that is above 1.
   struct Refit {
     Arm arm;
     Eigen::MatrixXd covariance;
+    Eigen::MatrixXd covariance_bound;
   };
 
   /// The arm without the placement. Nothing where the other readings leave a parameter weak beyond doubt, or where the
@@ -37,7 +38,7 @@ class PlacementRefit {
     PlacedLinearisation linearisation;
     GramTree tree;
   };
-  [[nodiscard]] Eigen::MatrixXd covariance_bound(const GramTree::Without& factor, int degrees_of_freedom) const;
+  [[nodiscard]] Refit refit_of(Arm arm, const GramTree::Without& factor, int degrees_of_freedom) const;
   [[nodiscard]] int degrees_of_freedom(const Placement& placement) const;
   [[nodiscard]] Unknowns unknowns_at(const Eigen::VectorXd& numbers) const;
 

@@ -81,12 +81,15 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
   }
   const double encoder = maker->spread_.enlargement * maker->spread_.encoder;
   const double probing = maker->spread_.enlargement * maker->spread_.probing;
-  const UncertainArm uncertain(maker->fit_.arm, {free, identification.covariance, encoder, probing}, plan->probe);
+  // The trials take the model as true, and so must what they are compared with.
+  const double unmodelled = identification.cross_validation.scale;
+  const UncertainArm uncertain(
+      maker->fit_.arm, {free, identification.covariance / (unmodelled * unmodelled), encoder, probing}, plan->probe);
   maker->measuring_.emplace(std::move(*plan), uncertain, encoder, probing);
   for (const int index : identification.free) {
     const IdentifiedParameter& known = identification.parameters[index];
     maker->quantities_.push_back({FollowedQuantity::Kind::Parameter, known.parameter.name, known.parameter.unit(),
-                                  value(maker->fit_.arm, known.parameter), known.u});
+                                  value(maker->fit_.arm, known.parameter), known.u / unmodelled});
   }
   const auto& measured = maker->measuring_->quantities();
   maker->quantities_.insert(maker->quantities_.end(), measured.begin(), measured.end());

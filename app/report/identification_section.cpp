@@ -155,6 +155,23 @@ void write_lost(const Json& coupling, Sheet& sheet) {
   }
 }
 
+void write_cross_validation(const Json& result, Sheet& sheet) {
+  if (!result.contains("cross_validation") || result.at("cross_validation").is_null()) {
+    return;
+  }
+  const Json& found = result.at("cross_validation");
+  const double scale = found.at("scale");
+  sheet.facts(
+      {{"Placements left out",
+        fmt::format("errors of {:.2f} standard uncertainties (rms) in {}; 99 of 100 sound recordings stay below "
+                    "{:.2f}",
+                    found.at("ratio").get<double>(), plural(found.at("placements").get<std::size_t>(), "placement"),
+                    found.at("ratio_99").get<double>())},
+       {"Unmodelled error", scale > 1.0
+                                ? fmt::format("all standard uncertainties of this arm are enlarged by {:.3g}", scale)
+                                : std::string("not shown by the placements left out")}});
+}
+
 void write_noise(const Json& result, Sheet& sheet) {
   const Json& noise = result.at("noise");
   const Json& range = noise.at("chi_squared_95");
@@ -166,6 +183,7 @@ void write_noise(const Json& result, Sheet& sheet) {
                                  "{:.1f} and {:.1f}",
                                  noise.at("chi_squared").get<double>(), noise.at("degrees_of_freedom").get<long>(),
                                  range.at(0).get<double>(), range.at(1).get<double>())}});
+  write_cross_validation(result, sheet);
   if (noise.at("enlargement").get<double>() > 1.0) {
     sheet.note(fmt::format("The readings scatter more than was stated: all uncertainties are enlarged by {:.3g}.",
                            noise.at("enlargement").get<double>()));
