@@ -1,6 +1,6 @@
 // A store whose rows anybody may have changed, asked for the history of an arm. The input's lines are the covariance of
-// a calibration, then of each parameter its state, value and u, then of each value of a verification its words and
-// numbers.
+// a calibration, then of each parameter its state, value, u and degrees of freedom, then of each value of a
+// verification its words and numbers.
 #include <charconv>
 #include <sstream>
 
@@ -34,11 +34,11 @@ StoreEntry entry_of(const std::string& name, const std::string& text) {
   entry[StoreTable::Identifications] = {
       {name, 1LL, 0.1, 1LL, 1.0, 1LL, 1.0, 0.1, 0.1, 0.1, 0.1, {}, 0LL, line_of(lines)}};
   for (long long i = 0; i < 3; ++i) {
-    const std::string state = line_of(lines), value = line_of(lines), u = line_of(lines);
+    const std::string state = line_of(lines), value = line_of(lines), u = line_of(lines), freedom = line_of(lines);
     const StoreValue identified = number_of(value);
     entry[StoreTable::Parameters].push_back({name, i, fmt::format("a{}", i), std::string("mm"), state, 0.0,
                                              std::holds_alternative<double>(identified) ? identified : StoreValue(0.0),
-                                             number_of(u)});
+                                             number_of(u), number_of(freedom), 2.0});
   }
   entry[StoreTable::Verifications] = {{name, line_of(lines), {}, std::string("simple"), line_of(lines)}};
   for (long long i = 0; i < 2; ++i) {
@@ -52,6 +52,7 @@ StoreEntry entry_of(const std::string& name, const std::string& text) {
     }
     row.emplace_back(verdict);
     row.emplace_back(0LL);
+    row.insert(row.end(), {0.001, StoreValue(), 2.0});  // u(points), degrees of freedom, coverage factor
     entry[StoreTable::VerificationValues].push_back(std::move(row));
   }
   return entry;

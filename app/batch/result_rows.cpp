@@ -86,7 +86,10 @@ StoreRow value_row(const std::string& key, std::size_t position, const TestValue
           budget.fixture,
           budget.form,
           std::string(result_name(value.verdict)),
-          whole(value.set_aside)};
+          whole(value.set_aside),
+          budget.points,
+          number_or_null(budget.degrees_of_freedom()),
+          stated_coverage_factor(budget.degrees_of_freedom())};
 }
 
 }  // namespace
@@ -118,7 +121,9 @@ void add_identification(StoreRows& rows, const std::string& key, const Identific
     rows[StoreTable::Parameters].push_back({key, whole(i), parameter.parameter.name,
                                             std::string(parameter.parameter.unit()),
                                             std::string(result_name(parameter.state)), parameter.nominal,
-                                            parameter.identified, identified ? StoreValue(parameter.u) : StoreValue()});
+                                            parameter.identified, identified ? StoreValue(parameter.u) : StoreValue(),
+                                            identified ? number_or_null(parameter.degrees_of_freedom) : StoreValue(),
+                                            identified ? StoreValue(parameter.coverage_factor()) : StoreValue()});
   }
 }
 

@@ -51,15 +51,32 @@ double noise_freedom(const StoreValue& is_given, const StoreValue& degrees_of_fr
   return is_estimated ? static_cast<double>(*freedom) : std::numeric_limits<double>::infinity();
 }
 
-std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std::string& recording) {
+// Rows of earlier versions have no coverage factor and no degrees of freedom but those of the noise.
+double parameter_freedom(StoreReader& reader, const StoreValue& of_parameter, const StoreValue& coverage_factor,
+                         double of_noise) {
+  if (std::holds_alternative<std::monostate>(coverage_factor)) {
+    return of_noise;
+  }
+  const double freedom = reader.optional_number(of_parameter, "degrees of freedom of a parameter")
+                             .value_or(std::numeric_limits<double>::infinity());
+  if (!(freedom > 0.0)) {
+    reader.fail(fmt::format("the degrees of freedom of a parameter are {}", freedom));
+    return of_noise;
+  }
+  return freedom;
+}
+
+std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std::string& recording, double of_noise) {
   std::vector<CalibratedParameter> parameters;
   for (const StoreRow& row :
-       reader.rows("SELECT name, unit, state, identified, u FROM parameters WHERE recording = :v0 ORDER BY position",
+       reader.rows("SELECT name, unit, state, identified, u, degrees_of_freedom, coverage_factor FROM parameters "
+                   "WHERE recording = :v0 ORDER BY position",
                    {recording})) {
-    CalibratedParameter parameter{text_of(row[0]), text_of(row[1]), text_of(row[2]), reader.number(row[3], "parameter"),
-                                  0.0};
+    CalibratedParameter parameter{text_of(row[0]), text_of(row[1]), text_of(row[2]),
+                                  reader.number(row[3], "parameter")};
     if (is_identified(parameter)) {
       parameter.u = reader.number(row[4], "standard uncertainty of a parameter");
+      parameter.degrees_of_freedom = parameter_freedom(reader, row[5], row[6], of_noise);
     } else if (parameter.state != result_name(ParameterState::Held) &&
                parameter.state != result_name(ParameterState::Lost)) {
       reader.fail(fmt::format("the state of a parameter is {}", in_quotes(parameter.state)));
@@ -84,14 +101,14 @@ TestValue read_value(StoreReader& reader, const StoreRow& row) {
   value.certified = reader.optional_number(row[6], "certified value").value_or(0.0);
   value.measured = reader.number(row[7], "measured value");
   value.value = reader.number(row[8], "value");
-  std::array<double, 6> u{};
+  std::array<double, 7> u{};
   for (std::size_t i = 0; i < u.size(); ++i) {
     u[i] = reader.number(row[9 + i], "standard uncertainty of a value");
   }
-  value.budget = {u[0], u[1], u[2], u[3], u[4], u[5]};
-  value.set_aside = reader.truth(row[15], "set_aside");
-  value.limit = reader.optional_number(row[16], "limit");
-  value.verdict = verdict_named(text_of(row[17]));
+  value.budget = {u[0], u[1], u[2], u[3], u[4], u[5], u[6]};
+  value.set_aside = reader.truth(row[16], "set_aside");
+  value.limit = reader.optional_number(row[17], "limit");
+  value.verdict = verdict_named(text_of(row[18]));
   return value;
 }
 
@@ -100,8 +117,8 @@ std::vector<TestValue> read_values(StoreReader& reader, const std::string& recor
   for (const StoreRow& row : reader.rows(
            "SELECT quantity, artefact, placement, feature, other_feature, repetition, certified_mm, measured_mm, "
            "value_mm, "
-           "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, set_aside, "
-           "limit_mm, verdict "
+           "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, u_points_mm, "
+           "set_aside, limit_mm, verdict "
            "FROM verification_values WHERE recording = :v0 ORDER BY position",
            {recording})) {
     values.push_back(read_value(reader, row));
@@ -113,10 +130,9 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
   Calibration calibration;
   calibration.entry = read_entry(reader, row);
   reader.set_recording(calibration.entry.recording);
-  calibration.rms_before = reader.number(row[3], "rms before");
+  calibration.rms_before = reader.optional_number(row[3], "rms before");
   calibration.rms_after = reader.number(row[4], "rms after");
-  calibration.degrees_of_freedom = noise_freedom(row[6], row[7]);
-  calibration.parameters = read_parameters(reader, calibration.entry.recording);
+  calibration.parameters = read_parameters(reader, calibration.entry.recording, noise_freedom(row[6], row[7]));
   const auto identified = std::count_if(calibration.parameters.begin(), calibration.parameters.end(), is_identified);
   calibration.covariance = reader.covariance(row[5], static_cast<std::size_t>(identified));
   if (const std::string text = text_of(row[8]); !text.empty()) {

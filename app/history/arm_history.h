@@ -18,7 +18,8 @@ namespace artcal {
 struct CalibratedParameter {
   std::string name, unit, state;
   double value = 0.0;
-  double u = 0.0;  ///< standard uncertainty; 0 unless identified
+  double u = 0.0;                                                       ///< standard uncertainty; 0 unless identified
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< effective, of u
 };
 
 /// What all results of a store have.
@@ -31,9 +32,8 @@ struct HistoryEntry {
 
 struct Calibration {
   HistoryEntry entry;
-  double rms_before = 0.0, rms_after = 0.0;  ///< mm
-  /// Of the noise behind every u; infinite where it was stated.
-  double degrees_of_freedom = std::numeric_limits<double>::infinity();
+  std::optional<double> rms_before;  ///< mm; nothing where the readings cannot evaluate the nominal arm
+  double rms_after = 0.0;            ///< mm
   std::vector<CalibratedParameter> parameters;
   Eigen::MatrixXd covariance;  ///< of the identified ones, in their order
   std::optional<Arm> arm;      ///< as identified; nothing where an earlier version of artcal stored the result

@@ -50,13 +50,12 @@ double squared_distance(const Eigen::VectorXd& change, const Eigen::MatrixXd& co
 double judge(std::vector<ParameterChange>& changes, const Calibration& then, const Calibration& now) {
   double smallest = std::numeric_limits<double>::infinity();
   for (ParameterChange& change : changes) {
-    const auto u_in = [&](const Calibration& calibration) {
-      return std::find_if(calibration.parameters.begin(), calibration.parameters.end(),
-                          [&](const auto& parameter) { return parameter.name == change.name; })
-          ->u;
+    const auto component_of = [&](const Calibration& calibration) {
+      const auto at = std::find_if(calibration.parameters.begin(), calibration.parameters.end(),
+                                   [&](const auto& parameter) { return parameter.name == change.name; });
+      return UncertaintyComponent{at->u, at->degrees_of_freedom};
     };
-    const std::array<UncertaintyComponent, 2> components{
-        {{u_in(then), then.degrees_of_freedom}, {u_in(now), now.degrees_of_freedom}}};
+    const std::array<UncertaintyComponent, 2> components{component_of(then), component_of(now)};
     const double freedom = effective_degrees_of_freedom(components);
     change.limit = significance_factor(changes.size(), freedom);
     change.significant = std::abs(change.now - change.then) > change.limit * change.u;

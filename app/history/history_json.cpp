@@ -140,7 +140,7 @@ Json to_json(const ArmHistory& history) {
   }
   for (const Calibration& calibration : history.calibrations) {
     Json entry = entry_json(calibration.entry);
-    entry["rms_before_mm"] = calibration.rms_before;
+    entry["rms_before_mm"] = calibration.rms_before ? Json(*calibration.rms_before) : Json(nullptr);
     entry["rms_after_mm"] = calibration.rms_after;
     json["calibrations"].push_back(std::move(entry));
   }

@@ -127,8 +127,9 @@ void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
                                                           {"after"},
                                                           {"artefacts and certificates", false}});
   for (const Calibration& calibration : history.calibrations) {
-    calibrations.add({date_of(calibration.entry), shown(calibration.entry.name), mm(calibration.rms_before),
-                      mm(calibration.rms_after), certificates_of(calibration.entry)});
+    calibrations.add({date_of(calibration.entry), shown(calibration.entry.name),
+                      calibration.rms_before ? mm(*calibration.rms_before) : "not evaluable", mm(calibration.rms_after),
+                      certificates_of(calibration.entry)});
   }
   html::Table verifications("Verifications", {{"date", false, true, true},
                                               {"recording", false},

@@ -34,8 +34,8 @@ std::string calibrations_text(const ArmHistory& history) {
   Table table({"calibration", "recording", "rms before mm", "rms after mm", "certificates"});
   for (const Calibration& calibration : history.calibrations) {
     table.add({date_of(calibration.entry), at_most(40, calibration.entry.name),
-               fmt::format("{:.4f}", calibration.rms_before), fmt::format("{:.4f}", calibration.rms_after),
-               listed(calibration.entry.certificates)});
+               calibration.rms_before ? fmt::format("{:.4f}", *calibration.rms_before) : std::string("not evaluable"),
+               fmt::format("{:.4f}", calibration.rms_after), listed(calibration.entry.certificates)});
   }
   return table.text();
 }

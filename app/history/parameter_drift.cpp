@@ -46,9 +46,9 @@ TimeLabels labels_of(const std::vector<const Calibration*>& calibrations) {
 double extent(const ParameterChange& change) { return std::abs(change.now - change.then) + 2.0 * change.u; }
 double severity(const ParameterChange& change) { return std::abs(change.now - change.then) / change.u; }
 
-double k_of(const Calibration& now, double u_now, const Calibration& first, double u_first) {
+double k_of(const CalibratedParameter& now, const CalibratedParameter& first) {
   const std::array<UncertaintyComponent, 2> components{
-      {{u_first, first.degrees_of_freedom}, {u_now, now.degrees_of_freedom}}};
+      {{first.u, first.degrees_of_freedom}, {now.u, now.degrees_of_freedom}}};
   return stated_coverage_factor(effective_degrees_of_freedom(components));
 }
 
@@ -65,16 +65,14 @@ Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std
   Json series = Json::array();
   for (const ParameterChange& change : changes) {
     Json y = Json::array(), bars = Json::array();
-    double u_first = 0.0;
+    const CalibratedParameter* first = nullptr;
     for (const Calibration* calibration : calibrations) {
       const auto at = std::find_if(calibration->parameters.begin(), calibration->parameters.end(),
                                    [&](const auto& parameter) { return parameter.name == change.name; });
       const bool is_first = calibration == calibrations.front();
-      u_first = is_first ? at->u : u_first;
+      first = is_first ? &*at : first;
       y.push_back(drawn((at->value - change.then) / size));
-      bars.push_back(is_first ? Json(0.0)
-                              : drawn(k_of(*calibration, at->u, *calibrations.front(), u_first) *
-                                      std::hypot(at->u, u_first) / size));
+      bars.push_back(is_first ? Json(0.0) : drawn(k_of(*at, *first) * std::hypot(at->u, first->u) / size));
     }
     series.push_back({{"name", change.name}, {"x", times.labels}, {"y", y}, {"bars", bars}});
   }

@@ -56,8 +56,9 @@ class StoreTest : public testing::ArchiveTest {
       const std::string name = fmt::format("test-{}", i);
       file_away("iso10360-12", name, fmt::format("date = 203{}-05-01\n", i));
       const std::string bar = "archive/" + name + "/bar.toml";
-      write(bar, with_certificate(text_of(bar), "number = \"4711\"\nlaboratory = \"Example Laboratory\"\n"
-                                                "date = 2026-03-02\nvalid_until = 2028-03-01\n"));
+      write(bar, with_certificate(text_of(bar),
+                                  "number = \"4711\"\nlaboratory = \"Example Laboratory\"\n"
+                                  "date = 2026-03-02\nvalid_until = 2028-03-01\n"));
     }
     write("archive/broken/recording.toml", "");
   }
@@ -95,6 +96,39 @@ TEST_F(StoreTest, EveryTableIsDocumentedWithItsColumns) {
       EXPECT_THAT(page, HasSubstr(column));
     }
   }
+}
+
+// A store of the first schema, with an identification and a parameter.
+void make_store_of_schema_1(const std::filesystem::path& store) {
+  std::istringstream lines(testing::read_all(std::string(ARTCAL_SOURCE_DIR) + "/app/store/migrations/001-results.sql"));
+  std::string sql;
+  for (std::string line; std::getline(lines, line);) sql += line.starts_with("--") ? "" : line + "\n";
+  sql +=
+      "CREATE TABLE artcal_migrations (number INTEGER NOT NULL PRIMARY KEY, name TEXT NOT NULL);"
+      "INSERT INTO artcal_migrations VALUES (1, '001-results');"
+      "INSERT INTO arms VALUES ('old arm');"
+      "INSERT INTO recordings VALUES ('r', 'artcal 0.0.1', '', 'old', '2020-01-01', 'old arm', 1, 0, NULL);"
+      "INSERT INTO files VALUES ('/old', 'r', 0, NULL);"
+      "INSERT INTO identifications VALUES ('r', 1, 0.01, 0, 5, 5, 1, 1, 2, 0.01, 0.02, NULL, 0, '[[1]]');"
+      "INSERT INTO parameters VALUES ('r', 0, 'a1', 'mm', 'identified', 1, 1.5, 1);";
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(store.c_str(), &database), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+  sqlite3_close(database);
+}
+
+TEST_F(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsRows) {
+  file_away_quick_ones(1);
+  make_store_of_schema_1(file("s.sqlite"));
+  ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 0);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM artcal_migrations"), 3);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM parameters WHERE recording = 'r' AND identified = 1.5"), 1);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM identifications WHERE rms_before_mm = 1"), 1);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "PRAGMA foreign_key_check"), 0);
+  EXPECT_GT(sqlite_rows(file("s.sqlite"), "SELECT * FROM parameters WHERE coverage_factor >= 2"), 0);
+  const Ended history = run({"history", "old arm", "--store", "s.sqlite"});
+  EXPECT_EQ(history.exit_code, 0) << history.err;
+  EXPECT_THAT(history.out, HasSubstr("1.0000"));
 }
 
 class OnPostgresql : public StoreTest {
