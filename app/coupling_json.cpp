@@ -4,8 +4,6 @@
 #include "identification/lost_text.h"
 
 namespace artcal {
-namespace {
-
 using Json = nlohmann::ordered_json;
 
 Json motion_json(const Coupling& coupling, const ParameterMotion& motion) {
@@ -17,6 +15,8 @@ Json motion_json(const Coupling& coupling, const ParameterMotion& motion) {
   }
   return coefficients;
 }
+
+namespace {
 
 const char* name_of(ScaleState state) {
   switch (state) {

@@ -15,6 +15,9 @@ namespace artcal {
 /// Schema: docs/result-schema.md, "coupling".
 nlohmann::ordered_json coupling_json(const Coupling& coupling);
 
+/// {"a6": 1.0, "theta6": -0.00545}: a motion's parameters, in mm and rad.
+nlohmann::ordered_json motion_json(const Coupling& coupling, const ParameterMotion& motion);
+
 /// What a coupling analysis was asked.
 struct CouplingRequest {
   std::vector<std::string> hold, free;

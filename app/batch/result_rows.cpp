@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm_file.h"
+#include "app/coupling_json.h"
 #include "app/result_names.h"
 #include "app/version.h"
 #include "artefacts/artefact_type.h"
@@ -51,6 +52,15 @@ std::string lower_triangle(const Eigen::MatrixXd& matrix) {
     text += "]";
   }
   return text + "]";
+}
+
+// [{"a6":1,"theta6":-0.00545}]: of each combination its parameters, in mm and rad.
+std::string combinations_text(const Coupling& coupling) {
+  nlohmann::ordered_json combinations = nlohmann::ordered_json::array();
+  for (const ParameterMotion& motion : coupling.lost) {
+    combinations.push_back(motion_json(coupling, motion));
+  }
+  return combinations.dump();
 }
 
 StoreValue rms_left_out(const Identification& result) {
@@ -114,10 +124,10 @@ void add_identification(StoreRows& rows, const std::string& key, const Identific
        whole(result.degrees_of_freedom), result.enlargement, number_or_null(result.before.overall.rms),
        number_or_null(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
        rms_left_out(result), whole(result.outliers.size()), lower_triangle(result.covariance),
-       arm_file_text(result.arm, std::nullopt)});
+       arm_file_text(result.arm, std::nullopt), combinations_text(result.coupling)});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const IdentifiedParameter& parameter = result.parameters[i];
-    const bool identified = parameter.state == ParameterState::Identified;
+    const bool identified = parameter.state == ParameterState::Identified || parameter.state == ParameterState::Weak;
     rows[StoreTable::Parameters].push_back({key, whole(i), parameter.parameter.name,
                                             std::string(parameter.parameter.unit()),
                                             std::string(result_name(parameter.state)), parameter.nominal,

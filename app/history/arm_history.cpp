@@ -41,7 +41,8 @@ HistoryEntry read_entry(StoreReader& reader, const StoreRow& row) {
 }
 
 bool is_identified(const CalibratedParameter& parameter) {
-  return parameter.state == result_name(ParameterState::Identified);
+  return parameter.state == result_name(ParameterState::Identified) ||
+         parameter.state == result_name(ParameterState::Weak);
 }
 
 double noise_freedom(const StoreValue& is_given, const StoreValue& degrees_of_freedom) {
@@ -142,6 +143,11 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
       reader.fail("its arm is none: " + at_most(200, arm.error().message));
     }
   }
+  std::vector<std::string> names;
+  for (const CalibratedParameter& parameter : calibration.parameters) {
+    names.push_back(parameter.name);
+  }
+  calibration.unidentifiable = reader.combinations(row[9], names);
   return calibration;
 }
 
@@ -150,7 +156,7 @@ constexpr const char* in_order = " WHERE r.arm = :v0 ORDER BY coalesce(r.measure
 void read_calibrations(StoreReader& reader, ArmHistory& history) {
   for (const StoreRow& row : reader.rows(
            std::string("SELECT r.recording, r.measured_on, r.name, i.rms_before_mm, i.rms_after_mm, i.covariance, "
-                       "i.noise_is_given, i.degrees_of_freedom, i.arm_file "
+                       "i.noise_is_given, i.degrees_of_freedom, i.arm_file, i.unidentifiable "
                        "FROM current_recordings r JOIN identifications i ON i.recording = r.recording") +
                in_order,
            {history.arm})) {

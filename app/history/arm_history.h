@@ -35,8 +35,9 @@ struct Calibration {
   std::optional<double> rms_before;  ///< mm; nothing where the readings cannot evaluate the nominal arm
   double rms_after = 0.0;            ///< mm
   std::vector<CalibratedParameter> parameters;
-  Eigen::MatrixXd covariance;  ///< of the identified ones, in their order
-  std::optional<Arm> arm;      ///< as identified; nothing where an earlier version of artcal stored the result
+  Eigen::MatrixXd covariance;      ///< of the identified ones, in their order
+  Eigen::MatrixXd unidentifiable;  ///< by all parameters, a column for each combination that no reading sees
+  std::optional<Arm> arm;          ///< as identified; nothing where an earlier version of artcal stored the result
 };
 
 struct PastVerification {
@@ -52,15 +53,18 @@ struct ParameterChange {
   double then = 0.0, now = 0.0;
   double u = 0.0;            ///< √(u²(then) + u²(now))
   double limit = 0.0;        ///< significance_factor() of all changes, by the effective degrees of freedom of u
+  double expanded = 0.0;     ///< k·u, k = 2 or Student's factor where larger
   bool significant = false;  ///< beyond `limit` times u
 };
 
 /// What changed between two calibrations of an arm. Parameters hang together: readings tell theta6 + a6/l, and which of
-/// the two takes what depends on the value at which the other is held. Therefore only calibrations that identified the
-/// same parameters and held the others at the same values are compared.
+/// the two takes what depends on the value at which the other is fixed. Therefore the later one is compared in the
+/// gauge of the earlier one (app/gauge.h), where there is such a statement of it.
 struct CalibrationStep {
   std::size_t then = 0, now = 0;  ///< into ArmHistory::calibrations
   std::string not_comparable;     ///< why not; empty where it is
+  std::vector<std::string>
+      moved;  ///< fixed parameters whose value differed; the later parameters are stated without it
   std::vector<ParameterChange> changes;
   double chi_squared = 0.0;             ///< of all changes together, by the sum of both covariances
   double limit = 0.0;                   ///< what chance stays below in 95 of 100 cases

@@ -46,6 +46,7 @@ Json step_json(const ArmHistory& history, const CalibrationStep& step) {
       {"then", history.calibrations[step.then].entry.recording},
       {"now", history.calibrations[step.now].entry.recording},
       {"not_comparable", text_or_null(step.not_comparable)},
+      {"moved", step.moved},
       {"chi_squared", step.chi_squared},
       {"chi_squared_95", step.limit},
       {"significant", step.significant()},

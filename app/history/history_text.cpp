@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/history/over_time.h"
 #include "app/history/what_changed.h"
@@ -76,6 +77,12 @@ std::string step_text(const ArmHistory& history, const CalibrationStep& step, bo
   text += fmt::format("{} (chi squared {:.4g} of all {} together, chance stays below {:.4g})\n",
                       step.significant() ? changed : "no significant change", step.chi_squared, step.changes.size(),
                       step.limit);
+  if (!step.moved.empty()) {
+    text += fmt::format(
+        "  {} was fixed at another value, and no reading sees the difference: the later parameters are stated as they\n"
+        "  are where it has the earlier one.\n",
+        fmt::join(step.moved, ", "));
+  }
   Table table({"  parameter", "unit", "then", "now", "change", "u (k = 1)", ""});
   bool any = false;
   for (const ParameterChange& change : step.changes) {

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/history/drift_sections.h"
 #include "app/history/time_labels.h"
@@ -11,7 +11,6 @@
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
 #include "app/shown_unit.h"
-#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -46,12 +45,6 @@ TimeLabels labels_of(const std::vector<const Calibration*>& calibrations) {
 double extent(const ParameterChange& change) { return std::abs(change.now - change.then) + 2.0 * change.u; }
 double severity(const ParameterChange& change) { return std::abs(change.now - change.then) / change.u; }
 
-double k_of(const CalibratedParameter& now, const CalibratedParameter& first) {
-  const std::array<UncertaintyComponent, 2> components{
-      {{first.u, first.degrees_of_freedom}, {now.u, now.degrees_of_freedom}}};
-  return stated_coverage_factor(effective_degrees_of_freedom(components));
-}
-
 // Changes since the first, of the parameters that changed most against u.
 Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std::vector<ParameterChange> changes,
                         const std::string& unit, double size) {
@@ -62,17 +55,19 @@ Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std
   std::erase_if(changes, [&](const ParameterChange& change) { return change.u > most_u * shown_size; });
   changes.resize(std::min(changes.size(), most_drawn));
   const TimeLabels times = labels_of(calibrations);
+  std::vector<CalibrationStep> steps;  // all in the gauge of the first
+  for (const Calibration* calibration : calibrations) {
+    steps.push_back(step_between(*calibrations.front(), *calibration));
+  }
   Json series = Json::array();
   for (const ParameterChange& change : changes) {
     Json y = Json::array(), bars = Json::array();
-    const CalibratedParameter* first = nullptr;
-    for (const Calibration* calibration : calibrations) {
-      const auto at = std::find_if(calibration->parameters.begin(), calibration->parameters.end(),
-                                   [&](const auto& parameter) { return parameter.name == change.name; });
-      const bool is_first = calibration == calibrations.front();
-      first = is_first ? &*at : first;
-      y.push_back(drawn((at->value - change.then) / size));
-      bars.push_back(is_first ? Json(0.0) : drawn(k_of(*at, *first) * std::hypot(at->u, first->u) / size));
+    for (const CalibrationStep& step : steps) {
+      const auto at = std::find_if(step.changes.begin(), step.changes.end(),
+                                   [&](const ParameterChange& other) { return other.name == change.name; });
+      const bool is_known = at != step.changes.end();
+      y.push_back(is_known ? drawn((at->now - at->then) / size) : Json(nullptr));
+      bars.push_back(is_known && &step != &steps.front() ? drawn(at->expanded / size) : Json(0.0));
     }
     series.push_back({{"name", change.name}, {"x", times.labels}, {"y", y}, {"bars", bars}});
   }
@@ -115,14 +110,20 @@ void write_parameter_drift(const ArmHistory& history, Sheet& sheet) {
   const auto calibrations = comparable(history);
   if (calibrations.size() < history.calibrations.size()) {
     sheet.note(
-        fmt::format("⚠ {} of {} identifications are not comparable with the last: they left other parameters free, "
-                    "or held them elsewhere, and what one holds the others move. They are left out here.",
+        fmt::format("⚠ {} of {} identifications are not comparable with the last: other parameters were fixed in them, "
+                    "or at other values, and others made up for it. They are left out here.",
                     history.calibrations.size() - calibrations.size(), history.calibrations.size()));
   }
   if (calibrations.size() < 2) {
     return;
   }
   const CalibrationStep overall = step_between(*calibrations.front(), *calibrations.back());
+  if (!overall.moved.empty()) {
+    sheet.note(
+        fmt::format("{} was fixed at another value in the last, and no reading sees the difference: all "
+                    "parameters are stated as they are where it has the value of the first.",
+                    fmt::join(overall.moved, ", ")));
+  }
   std::map<std::string, std::vector<ParameterChange>> by_unit;
   for (const ParameterChange& change : overall.changes) {
     by_unit[drift_unit(change).first].push_back(change);

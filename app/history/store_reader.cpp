@@ -1,5 +1,6 @@
 #include "app/history/store_reader.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -94,6 +95,30 @@ Eigen::MatrixXd StoreReader::covariance(const StoreValue& value, std::size_t par
   }
   if (!is_covariance(matrix)) {
     fail("its covariance matrix is not positive semi-definite, or has a variance of zero");
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd StoreReader::combinations(const StoreValue& value, const std::vector<std::string>& names) {
+  const auto size = static_cast<Eigen::Index>(names.size());
+  if (std::holds_alternative<std::monostate>(value)) {
+    return Eigen::MatrixXd::Zero(size, 0);
+  }
+  const auto all = parse_json(text(value, "unidentifiable combinations"), "unidentifiable combinations", store_.name());
+  if (!all || !all->is_array() || all->size() > names.size()) {
+    fail("its unidentifiable combinations are none of its parameters");
+    return Eigen::MatrixXd::Zero(size, 0);
+  }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(all->size()));
+  for (std::size_t k = 0; k < all->size(); ++k) {
+    for (const auto& [name, coefficient] : (*all)[k].items()) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      if (at == names.end() || !coefficient.is_number()) {
+        fail("its unidentifiable combinations are none of its parameters");
+        return Eigen::MatrixXd::Zero(size, 0);
+      }
+      matrix(at - names.begin(), static_cast<Eigen::Index>(k)) = coefficient.get<double>();
+    }
   }
   return matrix;
 }

@@ -28,6 +28,8 @@ class StoreReader {
   bool truth(const StoreValue& value, const char* column);
   /// The covariance of so many parameters from its rows up to the diagonal as JSON.
   Eigen::MatrixXd covariance(const StoreValue& value, std::size_t parameters);
+  /// Combinations of parameters, a column each by `names`, from JSON such as [{"a6":1,"theta6":-0.005}]; none for NULL.
+  Eigen::MatrixXd combinations(const StoreValue& value, const std::vector<std::string>& names);
 
   void fail(const std::string& message);
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }

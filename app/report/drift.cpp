@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "app/gauge.h"
 #include "app/phrases.h"
 #include "app/report/change_table.h"
 #include "app/report/numbers.h"
@@ -87,19 +89,84 @@ struct Track {
   [[nodiscard]] double standardised() const { return std::abs(change(u.size() - 1)) / u_of_change(u.size() - 1); }
 };
 
-std::vector<Track> tracks_of(const Results& results) {
-  std::vector<Track> tracks;
-  for (const Json& name : results.front()->at("covariance").at("parameters")) {
-    Track track{name, parameter_named(*results.front(), name).at("unit"), {}, {}, {}};
-    for (const Json* result : results) {
-      const Json& parameter = parameter_named(*result, track.name);
-      track.values.push_back(parameter.at("identified"));
-      track.u.push_back(parameter.at("standard_uncertainty"));
-      const bool is_estimated = parameter.contains("degrees_of_freedom") && parameter["degrees_of_freedom"].is_number();
-      track.freedom.push_back(is_estimated ? parameter["degrees_of_freedom"].get<double>()
-                                           : std::numeric_limits<double>::infinity());
+GaugedParameters gauged(const Json& result) {
+  GaugedParameters gauged;
+  const Json& parameters = result.at("parameters");
+  const auto size = static_cast<Eigen::Index>(parameters.size());
+  gauged.values.resize(size);
+  std::map<std::string, Eigen::Index> places;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    const Json& parameter = parameters[static_cast<std::size_t>(i)];
+    gauged.names.push_back(parameter.at("name"));
+    gauged.is_angle.push_back(parameter.at("unit") == "rad");
+    gauged.values[i] = parameter.at("identified");
+    places[gauged.names.back()] = i;
+  }
+  for (const Json& name : result.at("covariance").at("parameters")) {
+    gauged.estimated.push_back(places.at(name.get<std::string>()));
+  }
+  const Json& matrix = result.at("covariance").at("matrix");
+  const auto estimated = static_cast<Eigen::Index>(gauged.estimated.size());
+  gauged.covariance.resize(estimated, estimated);
+  for (Eigen::Index i = 0; i < estimated; ++i) {
+    for (Eigen::Index j = 0; j < estimated; ++j) {
+      gauged.covariance(i, j) = matrix.at(static_cast<std::size_t>(i)).at(static_cast<std::size_t>(j));
     }
-    tracks.push_back(std::move(track));
+  }
+  const Json& lost = result.at("coupling").at("lost");
+  gauged.unidentifiable = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(lost.size()));
+  for (std::size_t k = 0; k < lost.size(); ++k) {
+    for (const auto& [name, coefficient] : lost[k].at("unseen_motion").items()) {
+      gauged.unidentifiable(places.at(name), static_cast<Eigen::Index>(k)) = coefficient;
+    }
+  }
+  return gauged;
+}
+
+double freedom_in(const Json& parameter) {
+  const bool is_few = parameter.contains("degrees_of_freedom") && parameter["degrees_of_freedom"].is_number();
+  return is_few ? parameter["degrees_of_freedom"].get<double>() : std::numeric_limits<double>::infinity();
+}
+
+// Of u of a parameter; where it is fixed, of the poorest known one, of which it takes over a part.
+double freedom_in(const Json& result, const std::string& name) {
+  const Json& parameter = parameter_named(result, name);
+  double smallest = freedom_in(parameter);
+  if (parameter.at("standard_uncertainty").is_null()) {
+    for (const Json& other : result.at("parameters")) {
+      smallest = std::min(smallest, freedom_in(other));
+    }
+  }
+  return smallest;
+}
+
+/// The parameters that the first of several results identified, in its gauge over all of them.
+struct Tracks {
+  std::vector<Track> all;
+  std::string not_comparable;   ///< why there are none; or empty
+  std::set<std::string> moved;  ///< fixed parameters whose values differed
+};
+
+Tracks tracks_of(const Results& results) {
+  Tracks tracks;
+  const GaugedParameters first = gauged(*results.front());
+  for (const Eigen::Index i : first.estimated) {
+    const std::string& name = first.names[static_cast<std::size_t>(i)];
+    tracks.all.push_back({name, parameter_named(*results.front(), name).at("unit"), {}, {}, {}});
+  }
+  for (const Json* result : results) {
+    const InGauge stated = in_gauge_of(first, gauged(*result));
+    if (!stated.not_comparable.empty()) {
+      tracks.not_comparable = stated.not_comparable;
+      return tracks;
+    }
+    tracks.moved.insert(stated.moved.begin(), stated.moved.end());
+    for (std::size_t k = 0; k < tracks.all.size(); ++k) {
+      Track& track = tracks.all[k];
+      track.values.push_back(stated.values[first.estimated[k]]);
+      track.u.push_back(std::sqrt(stated.covariance.diagonal()[static_cast<Eigen::Index>(k)]));
+      track.freedom.push_back(freedom_in(*result, track.name));
+    }
   }
   return tracks;
 }
@@ -142,48 +209,29 @@ bool share_a_recording(const Results& results) {
   return recordings.size() < results.size();
 }
 
-// A parameter that is not identified and has not the same value in all results; empty where there is none.
-std::string held_elsewhere(const Results& results) {
-  const Json& names = results.front()->at("covariance").at("parameters");
-  for (const Json& parameter : results.front()->at("parameters")) {
-    if (std::find(names.begin(), names.end(), parameter.at("name")) != names.end()) {
-      continue;
-    }
-    for (const Json* result : results) {
-      const Json& all = result->at("parameters");
-      const auto same = std::find_if(all.begin(), all.end(),
-                                     [&](const Json& other) { return other.at("name") == parameter.at("name"); });
-      if (same == all.end() || same->at("identified") != parameter.at("identified")) {
-        return parameter.at("name");
-      }
-    }
-  }
-  return "";
-}
-
 void write_parameters(const Results& results, Sheet& sheet) {
   sheet.part("Parameters");
   if (share_a_recording(results)) {
     sheet.note(
         "⚠ Some of these results are of the same recording. They are not independent: u of a change is too large.");
   }
-  const Json& names = results.front()->at("covariance").at("parameters");
-  if (std::any_of(results.begin(), results.end(),
-                  [&](const Json* result) { return result->at("covariance").at("parameters") != names; })) {
+  const Tracks found = tracks_of(results);
+  if (!found.not_comparable.empty()) {
     sheet.note(
-        "These identifications left different parameters free. What one of them holds, the others move elsewhere: "
-        "their "
-        "parameters cannot be compared one by one. Identify all with the same --hold and --free.");
+        fmt::format("Their parameters cannot be compared one by one: {}. Identify all from the same nominal arm with "
+                    "the same --hold "
+                    "and --free.",
+                    found.not_comparable));
     return;
   }
-  if (const std::string partner = held_elsewhere(results); !partner.empty()) {
-    sheet.note(fmt::format(
-        "{} was held at different values. Readings tell only a combination of it and others, which make up for the "
-        "difference: their parameters cannot be compared one by one. Identify all from the same nominal arm.",
-        partner));
-    return;
+  if (!found.moved.empty()) {
+    sheet.note(
+        fmt::format("{} was fixed at different values, and no reading sees the difference: the parameters of all "
+                    "results are stated "
+                    "as they are where it has the value of the first.",
+                    fmt::join(found.moved, ", ")));
   }
-  const auto tracks = tracks_of(results);
+  const std::vector<Track>& tracks = found.all;
   const Times times = times_of(results);
   const std::size_t last = results.size() - 1;
   double widest = 0.0;

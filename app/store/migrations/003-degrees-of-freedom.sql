@@ -1,3 +1,4 @@
+-- unidentifiable: combinations of parameters that no reading sees, as JSON; NULL in rows of earlier versions.
 -- Coverage factors, the part of the touches in u of a value, and identifications whose nominal arm the readings could
 -- not evaluate. SQLite cannot take NOT NULL from a column: the table is made anew, and the one that refers to it.
 
@@ -16,9 +17,13 @@ CREATE TABLE identifications_2 (
   rms_left_out_mm DOUBLE PRECISION,
   outliers INTEGER NOT NULL,
   covariance TEXT NOT NULL,
-  arm_file TEXT
+  arm_file TEXT,
+  unidentifiable TEXT
 );
-INSERT INTO identifications_2 SELECT * FROM identifications;
+INSERT INTO identifications_2 SELECT recording, rank, noise_mm, noise_is_given, chi_squared, degrees_of_freedom,
+    enlargement, rms_before_mm, maximum_before_mm, rms_after_mm, maximum_after_mm, rms_left_out_mm, outliers, covariance,
+    arm_file, NULL
+  FROM identifications;
 
 -- coverage_factor: of u, for 95 %; NULL in rows of earlier versions. degrees_of_freedom: effective ones of u; NULL: so
 -- many that they do not matter, or not known.

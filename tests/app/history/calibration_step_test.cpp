@@ -48,9 +48,36 @@ TEST(CalibrationStep, CorrelatedParametersAreJudgedTogether) {
   EXPECT_TRUE(step.significant());
 }
 
+// theta2 turns about the end of a link of 100 mm, whose a6 no reading tells apart from it.
+TEST(CalibrationStep, APartnerFixedElsewhereIsMovedBack) {
+  const auto with_partner = [](Calibration made) {
+    made.unidentifiable.resize(3, 1);
+    made.unidentifiable << 0.0, -1.0 / 100.0, 1.0;
+    return made;
+  };
+  const Calibration then = with_partner(calibration(10.0, 0.0));
+  const auto same = step_between(then, with_partner(calibration(10.0, -5e-4, 0.0, 0.05)));
+  EXPECT_THAT(same.not_comparable, ::testing::IsEmpty());
+  EXPECT_THAT(same.moved, ElementsAre("a6"));
+  EXPECT_NEAR(same.changes[1].now, 0.0, 1e-15);
+  EXPECT_FALSE(same.significant());
+  const auto drifted = step_between(then, with_partner(calibration(10.0, 0.0, 0.0, 0.05)));
+  EXPECT_NEAR(drifted.changes[1].now, 5e-4, 1e-15);
+  EXPECT_TRUE(drifted.changes[1].significant);
+  // The other of the pair was fixed: a6 = 0.05 mm takes over the angle with its u.
+  Calibration other = calibration(10.0, 0.0, 0.0, 0.05);
+  other.parameters[1] = {"theta2", "rad", "held", 0.0};
+  other.parameters[2] = {"a6", "mm", "identified", 0.05, 4e-3};
+  other.covariance(1, 1) = 16e-6;
+  const auto swapped = step_between(then, with_partner(other));
+  EXPECT_THAT(swapped.not_comparable, ::testing::IsEmpty());
+  EXPECT_NEAR(swapped.changes[1].now, 5e-4, 1e-15);
+  EXPECT_NEAR(swapped.changes[1].u, std::hypot(4e-5, 4e-5), 1e-12);
+}
+
 TEST(CalibrationStep, WhatMeansSomethingElseIsNotCompared) {
   EXPECT_THAT(step_between(calibration(10.0, 0.0), calibration(10.0, 0.0, 0.0, 0.05)).not_comparable,
-              HasSubstr("a6 was held at 0 and then at 0.05 mm"));
+              HasSubstr("a6 was fixed at 0 and then at 0.05 mm"));
   Calibration other = calibration(10.0, 0.0);
   other.parameters[2].state = "identified";
   EXPECT_THAT(step_between(calibration(10.0, 0.0), other).not_comparable, HasSubstr("a6 was identified in one"));

@@ -1,6 +1,7 @@
 #include "app/report/drift.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gmock/gmock.h>
 
@@ -20,12 +21,14 @@ Json identification(const std::string& date, const std::string& hash, double val
   Json json{{"kind", "identification"},
             {"date", date},
             {"inputs", {{{"path", "r.toml"}, {"sha256", hash}}}},
-            {"coupling", {{"angle_scale_mm", 1000.0}}}};
+            {"coupling", {{"angle_scale_mm", 1000.0}, {"lost", Json::array()}}}};
   for (int i = 0; i < parameter_count; ++i) {
     const std::string name = "p" + std::to_string(i);
     json["parameters"].push_back(
         {{"name", name}, {"unit", i % 2 == 0 ? "mm" : "rad"}, {"identified", value}, {"standard_uncertainty", u}});
     json["covariance"]["parameters"].push_back(name);
+    json["covariance"]["matrix"].push_back(std::vector<double>(parameter_count, 0.0));
+    json["covariance"]["matrix"][i][i] = u * u;
   }
   return json;
 }
@@ -88,24 +91,38 @@ TEST(Drift, GoesByDateWhateverTheOrder) {
 TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
   Json other = identification("2026-02-01", "b", 5.0);
   other["covariance"]["parameters"].erase(0);
+  other["covariance"]["matrix"].erase(0);
+  for (Json& row : other["covariance"]["matrix"]) row.erase(0);
   const std::string page = page_of({identification("2026-01-01", "a", 0.0), other});
   EXPECT_THAT(page, HasSubstr("cannot be compared one by one"));
   EXPECT_EQ(significant_in(page), 0);
 }
 
-// The same arm identified from a nominal arm with a6 = 0 and with 5 mm: theta6 differs by a6/l, and nothing has
-// drifted.
-TEST(Drift, OfParametersWhosePartnersWereHeldElsewhereIsNotTold) {
-  Json first = identification("2026-01-01", "a", 0.0);
-  Json second = identification("2026-02-01", "b", 0.0);
-  second["parameters"][1]["identified"] = 0.027;
-  first["parameters"].push_back(
-      {{"name", "a6"}, {"unit", "mm"}, {"identified", 0.0}, {"standard_uncertainty", nullptr}});
-  second["parameters"].push_back(
-      {{"name", "a6"}, {"unit", "mm"}, {"identified", 5.0}, {"standard_uncertainty", nullptr}});
+// Parameter p1 is an angle at the end of a link l of 183.5 mm, beside a6, which no reading tells apart from it.
+Json with_a6(Json json, double a6) {
+  const double l = 183.5;
+  json["parameters"].push_back({{"name", "a6"}, {"unit", "mm"}, {"identified", a6}, {"standard_uncertainty", nullptr}});
+  json["coupling"]["lost"].push_back(
+      {{"held", "a6"}, {"text", ""}, {"unseen_motion", {{"a6", 1.0}, {"p1", -1.0 / l}, {"p0", -a6 / l}}}});
+  return json;
+}
+
+// The same arm identified from a nominal arm with a6 = 0 and with 5 mm: the angle differs by atan(5/183.5), the length
+// by 183.5 - sqrt(183.5² - 5²) = 0.0681 mm. Nothing has drifted but p3.
+TEST(Drift, OfParametersWhosePartnersWereFixedElsewhereIsToldInOneGauge) {
+  Json first = with_a6(identification("2026-01-01", "a", 0.0), 0.0);
+  Json second = with_a6(identification("2026-02-01", "b", 0.0), 5.0);
+  second["parameters"][1]["identified"] = -std::asin(5.0 / 183.5);
+  second["parameters"][0]["identified"] = std::sqrt(183.5 * 183.5 - 25.0) - 183.5;
+  second["parameters"][3]["identified"] = 10.0 * u;
   const std::string page = page_of({first, second});
-  EXPECT_THAT(page, HasSubstr("a6 was held at different values"));
-  EXPECT_EQ(significant_in(page), 0);
+  EXPECT_THAT(page, HasSubstr("a6 was fixed at different values"));
+  EXPECT_EQ(significant_in(page), 1);
+  // Where nothing says that no reading sees the difference, it is not told.
+  second["coupling"]["lost"].clear();
+  const std::string other = page_of({first, second});
+  EXPECT_THAT(other, HasSubstr("a6 was fixed at 0 and then at 5 mm"));
+  EXPECT_EQ(significant_in(other), 0);
 }
 
 // Two results of noise with one degree of freedom each: two together, and for twenty parameters 20.0 u, not 3.0
