@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -87,6 +88,13 @@ std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std:
   return parameters;
 }
 
+// Of u(points), by those of the whole u: all other parts are known (Welch, Satterthwaite).
+void set_degrees_of_freedom(const std::optional<double>& of_total, Budget& budget) {
+  if (of_total && *of_total > 0.0 && budget.points > 0.0) {
+    budget.points_freedom = *of_total * std::pow(budget.points / budget.total(), 4);
+  }
+}
+
 TestValue read_value(StoreReader& reader, const StoreRow& row) {
   TestValue value;
   const auto quantity = quantity_named(text_of(row[0]));
@@ -107,6 +115,7 @@ TestValue read_value(StoreReader& reader, const StoreRow& row) {
     u[i] = reader.number(row[9 + i], "standard uncertainty of a value");
   }
   value.budget = {u[0], u[1], u[2], u[3], u[4], u[5], u[6]};
+  set_degrees_of_freedom(reader.optional_number(row[19], "degrees of freedom of a value"), value.budget);
   value.set_aside = reader.truth(row[16], "set_aside");
   value.limit = reader.optional_number(row[17], "limit");
   value.verdict = verdict_named(text_of(row[18]));
@@ -119,7 +128,7 @@ std::vector<TestValue> read_values(StoreReader& reader, const std::string& recor
            "SELECT quantity, artefact, placement, feature, other_feature, repetition, certified_mm, measured_mm, "
            "value_mm, "
            "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, u_points_mm, "
-           "set_aside, limit_mm, verdict "
+           "set_aside, limit_mm, verdict, degrees_of_freedom "
            "FROM verification_values WHERE recording = :v0 ORDER BY position",
            {recording})) {
     values.push_back(read_value(reader, row));

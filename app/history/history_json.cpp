@@ -4,6 +4,7 @@
 #include "app/history/over_time.h"
 #include "app/result_head.h"
 #include "app/result_names.h"
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
@@ -104,6 +105,7 @@ Json value_json(const ArmHistory& history, const ValueOverTime& value) {
                       {"repeats", point.repeats},
                       {"mean_mm", point.value},
                       {"u_mm", point.u},
+                      {"coverage_factor", point.coverage_factor},
                       {"limit_mm", point.limit ? Json(*point.limit) : Json(nullptr)}});
   }
   return {{"standard", value.standard}, {"quantity", name_of(value.quantity)},
@@ -124,6 +126,7 @@ Json worst_json(const ArmHistory& history, const WorstOverTime& worst) {
                       {"second", text_or_null(value->second)},
                       {"value_mm", value->value},
                       {"u_mm", value->budget.total()},
+                      {"coverage_factor", stated_coverage_factor(value->budget.degrees_of_freedom())},
                       {"limit_mm", value->limit ? Json(*value->limit) : Json(nullptr)},
                       {"verdict", result_name(value->verdict)}});
   }

@@ -1,8 +1,12 @@
 #include "app/history/over_time.h"
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
+
+#include "core/statistics.h"
 
 namespace artcal {
 namespace {
@@ -52,10 +56,15 @@ void add_points(std::map<Key, std::vector<ValueThen>>& points, const PastVerific
     scatter[std::get<1>(key)].freedom += of_value.count - 1;
   }
   for (const auto& [key, of_value] : repeats) {
-    const double u_of_mean = std::sqrt(scatter[std::get<1>(key)].variance() / of_value.count);
-    const TestValue& first = *of_value.first;
-    points[key].push_back(
-        {index, of_value.count, of_value.mean(), std::hypot(first.budget.total(), u_of_mean), first.limit});
+    const Scatter& of_quantity = scatter[std::get<1>(key)];
+    const double u_of_mean = std::sqrt(of_quantity.variance() / of_value.count);
+    Budget budget = of_value.first->budget;
+    budget.points = of_quantity.freedom > 0 ? 0.0 : budget.points;  // it is in the scatter of the repeats
+    const std::array<UncertaintyComponent, 2> components{
+        {{budget.total(), budget.degrees_of_freedom()},
+         {u_of_mean, of_quantity.freedom > 0 ? of_quantity.freedom : std::numeric_limits<double>::infinity()}}};
+    points[key].push_back({index, of_value.count, of_value.mean(), std::hypot(budget.total(), u_of_mean),
+                           stated_coverage_factor(effective_degrees_of_freedom(components)), of_value.first->limit});
   }
 }
 

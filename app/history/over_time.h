@@ -12,8 +12,9 @@ namespace artcal {
 struct ValueThen {
   std::size_t verification = 0;  ///< into ArmHistory::verifications
   int repeats = 0;
-  double value = 0.0;  ///< mean, mm
-  double u = 0.0;      ///< of the mean, mm: √(u²(test) + s²/repeats)
+  double value = 0.0;            ///< mean, mm
+  double u = 0.0;                ///< of the mean, mm: √(u²(test) + s²/repeats); with repeats s has u(points) in it
+  double coverage_factor = 2.0;  ///< of U for 95 %, by the effective degrees of freedom of u
   std::optional<double> limit;
 };
 

@@ -12,6 +12,7 @@
 #include "app/report/numbers.h"
 #include "app/report/test_values.h"
 #include "app/standard_name.h"
+#include "core/statistics.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -56,10 +57,10 @@ std::string place_of(const std::string& placement, const std::string& first, con
 struct Line {
   Json x = Json::array(), y = Json::array(), bars = Json::array();
 
-  void add(const std::string& when, double value, double u) {
+  void add(const std::string& when, double value, double expanded) {
     x.push_back(when);
     y.push_back(drawn(value / units::micrometre));
-    bars.push_back(drawn(2.0 * u / units::micrometre));
+    bars.push_back(drawn(expanded / units::micrometre));
   }
   [[nodiscard]] Json series(const std::string& name) const {
     return {{"name", name}, {"x", x}, {"y", y}, {"bars", bars}};
@@ -87,7 +88,8 @@ void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Shee
     Line line;
     for (const auto& [verification, value] : worst.points) {
       const double u = value->budget.total();
-      line.add(times.name(verification), std::abs(value->value), u);
+      line.add(times.name(verification), std::abs(value->value),
+               stated_coverage_factor(value->budget.degrees_of_freedom()) * u);
       table.add({name_of(worst.quantity), times.name(verification),
                  value->certified > 0.0 ? signed_micrometres(value->value) : micrometres(value->value),
                  two_digits(u / units::micrometre), value->limit ? micrometres(*value->limit) : "–",
@@ -97,8 +99,8 @@ void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Shee
   }
   sheet.figure(
       {"The worst of each quantity over time",
-       fmt::format("Of each verification {}. Sizes without sign; bars are twice the standard uncertainty of the test "
-                   "value.",
+       fmt::format("Of each verification {}. Sizes without sign; bars are the expanded uncertainty of the test value "
+                   "(k = 2, Student's factor below 60 degrees of freedom).",
                    worst_is),
        figure_data("worst", times, series)});
   sheet.table(table);
@@ -121,14 +123,14 @@ void write_most_changed(const std::vector<Drift>& drifts, const std::vector<Valu
         std::find_if(values.begin(), values.end(), [&](const ValueOverTime& one) { return is_of(one, drifts[i]); });
     Line line;
     for (const ValueThen& point : value->points) {
-      line.add(times.name(point.verification), point.value, point.u);
+      line.add(times.name(point.verification), point.value, point.coverage_factor * point.u);
     }
     series.push_back(line.series(place_of(value->placement, value->first, value->second)));
   }
   sheet.figure(
       {fmt::format("{} over time", quantity),
        fmt::format("The {} of {} that changed most against the uncertainty of the change. Means of repeats; bars "
-                   "are twice their standard uncertainty.",
+                   "are their expanded uncertainty (k = 2, Student's factor below 60 degrees of freedom).",
                    plural(series.size(), "value"), drifts.size()),
        figure_data(quantity, times, series)});
 }

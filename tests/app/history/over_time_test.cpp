@@ -41,6 +41,10 @@ TEST(OverTime, RepeatsAreTakenTogetherAndSetAsideOnesAreNot) {
   EXPECT_NEAR(values[0].points[0].value, 0.012, 1e-12);
   // Off their means by 2, 2, 3 and 3 um with two degrees of freedom: s² = 26/2 um², of a mean of two 13/2.
   EXPECT_NEAR(values[0].points[0].u, std::sqrt(9e-6 + 6.5e-6), 1e-12);
+  // Of 6.5 of 15.5 um² with two degrees of freedom: 2·(15.5/6.5)² = 11.373; the 97.5 % point of t(11.373)
+  // by Simpson's rule: 2.192215.
+  EXPECT_NEAR(values[0].points[0].coverage_factor, 2.192215, 1e-6);
+  EXPECT_EQ(values[0].points[1].coverage_factor, 2.0);
   // Not repeated: the test's own uncertainty is all that is known.
   EXPECT_NEAR(values[0].points[1].u, 0.004, 1e-12);
   EXPECT_EQ(values[0].points[1].verification, 1u);
