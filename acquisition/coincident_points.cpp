@@ -1,7 +1,7 @@
 #include "acquisition/coincident_points.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -68,7 +68,9 @@ void drop_coincident_points(PointCloud& cloud) {
   drop_zeros(cloud);
   Eigen::MatrixXd columns(3 + cloud.joints.rows(), cloud.points.cols());
   columns.topRows<3>() = cloud.points;
-  columns.bottomRows(cloud.joints.rows()) = cloud.joints;
+  if (cloud.joints.rows() > 0) {
+    columns.bottomRows(cloud.joints.rows()) = cloud.joints;
+  }
   const auto first = first_coincident(columns);
   std::vector<bool> repeated(first.size());
   std::size_t count = 0;

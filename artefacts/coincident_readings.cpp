@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,11 +91,14 @@ void drop_coincident_readings(Recording& recording, const std::vector<Artefact>&
   if (example.empty()) {
     return;
   }
+  const bool has_columns = recording.joints.cols() > 0;  // a recording of coordinates may have none
   std::vector<Reading> kept;
   Eigen::MatrixXd joints(recording.joints.rows(), recording.joints.cols());
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] == static_cast<Eigen::Index>(i)) {
-      joints.col(static_cast<Eigen::Index>(kept.size())) = recording.joints.col(static_cast<Eigen::Index>(i));
+      if (has_columns) {
+        joints.col(static_cast<Eigen::Index>(kept.size())) = recording.joints.col(static_cast<Eigen::Index>(i));
+      }
       kept.push_back(recording.readings[i]);
     }
   }
@@ -102,7 +106,9 @@ void drop_coincident_readings(Recording& recording, const std::vector<Artefact>&
       "{} of {} readings repeat an earlier one in every number ({}) and are counted once: they are no independent "
       "measurements",
       first.size() - kept.size(), first.size(), example));
-  recording.joints = joints.leftCols(static_cast<Eigen::Index>(kept.size())).eval();
+  if (has_columns) {
+    recording.joints = joints.leftCols(static_cast<Eigen::Index>(kept.size())).eval();
+  }
   recording.readings = std::move(kept);
 }
 

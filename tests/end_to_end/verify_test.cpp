@@ -336,7 +336,7 @@ TEST_F(Verify, PointsAreAReadingsFileOfCoordinates) {
   write("recording.toml",
         "schema = \"artcal-recording/1\"\nartefacts = [\"iso10360-12/ball.toml\", \"iso10360-12/bar.toml\"]\n"
         "readings = [\"points.csv\"]\nspecification = \"iso10360-12/specification.toml\"\n"
-        "units = { length = \"mm\" }\n[[probe]]\nname = \"ball 6 mm\"\nradius = 3\n");
+        "date = 2026-03-10\nunits = { length = \"mm\" }\n[[probe]]\nname = \"ball 6 mm\"\nradius = 3\n");
   const Json by_points = json_of({"verify", "recording.toml", "--standard", "iso10360-12", "--json", "-"}, 0);
   const Json by_joints =
       json_of({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--json", "-"}, 0);

@@ -54,7 +54,7 @@ TEST(PlausibilityOfTest, NumbersOfOtherUnitsAreNamedAndShowNothing) {
     const Verification result = verified(change);
     EXPECT_EQ(result.conclusion, Conclusion::NotShown) << words;
     EXPECT_THAT(result.missing, ElementsAre(::testing::AllOf(HasSubstr(words), HasSubstr("[plausible_values]"))));
-    const Verification waived = verified([&](SessionMaterial& material) {
+    const Verification waived = verified([&, &change = change](SessionMaterial& material) {
       change(material);
       material.specification.waived = {Evidence::PlausibleValues};
     });

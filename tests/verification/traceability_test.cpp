@@ -76,13 +76,13 @@ TEST(Traceability, EachDefectIsNamedAndCanBeWaivedByItsName) {
     const Verification missing = verified(change);
     EXPECT_EQ(missing.conclusion, Conclusion::NotShown) << name;
     EXPECT_THAT(missing.missing, ElementsAre(::testing::AllOf(HasSubstr(words), HasSubstr("[" + name + "]"))));
-    const Verification waived = verified([&](SessionMaterial& material) {
+    const Verification waived = verified([&, &change = change, &name = name](SessionMaterial& material) {
       change(material);
       material.specification.waived = {evidence_named(name).value()};
     });
     EXPECT_EQ(waived.conclusion, Conclusion::ConformityShown) << name;
     EXPECT_THAT(waived.waived, ElementsAre(HasSubstr(words))) << name;
-    const Verification other = verified([&](SessionMaterial& material) {
+    const Verification other = verified([&, &change = change, &name = name](SessionMaterial& material) {
       change(material);
       material.specification.waived = {Evidence::CentreDilution};
     });
