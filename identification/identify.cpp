@@ -205,8 +205,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
       }
       return fit_groups(recording, rest, std::move(*prepared), again, {result.weak, recording.arm})
           .map([&](const GroupFit& refit) {
-            return ArmWithout{refit.fit.arm,
-                              sources_of(refit.fit, refit.preparation.free, options.noise, result.enlargement)};
+            const auto covariance_without = arm_covariance(refit.fit.scale, refit.fit.linearisation);
+            return ArmWithout{refit.fit.arm, sources_of(covariance_without.value_or(Eigen::MatrixXd()), refit.fit.noise,
+                                                        refit.preparation.free, options.noise, result.enlargement)};
           });
     };
     result.left_out = leave_placements_out(
