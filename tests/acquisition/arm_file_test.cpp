@@ -165,7 +165,7 @@ TEST_F(ArmFileTest, EveryDigitComesBack) {
       if (i % 4 == 0) {
         known->encoder_noise = 1e-5 * random.uniform();
         known->probing_noise = 1e-3 * random.uniform();
-        for (int reading = 0; reading < i % 21; ++reading) {
+        for (std::uint64_t reading = 0; reading < i % 21; ++reading) {
           known->readings.push_back(fmt::format("{:012x}", 1000 * i + reading));
         }
       }

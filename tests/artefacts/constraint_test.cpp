@@ -234,7 +234,7 @@ TEST_F(ConstraintTest, GroupsWhatADistanceTiesTogether) {
   const Constraints c =
       bound("\"bar.toml\"",
             "placement,feature,probe,q1,q2\n"
-            "1,A,ball,1,2\n1,ball,ball,1,2\n1,B,ball,1,2\n1,far,ball,1,2\n2,A,ball,1,2\n2,B,ball,1,2\n");
+            "1,A,ball,1,2\n1,ball,ball,2,2\n1,B,ball,3,2\n1,far,ball,4,2\n2,A,ball,5,2\n2,B,ball,6,2\n");
   // 1: {A, B, far} tied by two distances, {ball} alone; 2: {A, B}.
   ASSERT_THAT(c.features, SizeIs(6));
   ASSERT_THAT(c.groups, SizeIs(3));
@@ -262,7 +262,7 @@ TEST_F(ConstraintTest, ADistanceWithOneEndReadIsNone) {
 
 TEST_F(ConstraintTest, APlateIsOneGroupWithItsPose) {
   const Constraints c = bound(
-      "\"plate.toml\"", "placement,feature,probe,q1,q2\n1,P,ball,1,2\n1,loose,ball,1,2\n1,Q,ball,1,2\n2,P,ball,1,2\n");
+      "\"plate.toml\"", "placement,feature,probe,q1,q2\n1,P,ball,1,2\n1,loose,ball,2,2\n1,Q,ball,3,2\n2,P,ball,4,2\n");
   // The loose point hangs on nothing: a group of its own.
   ASSERT_THAT(c.groups, SizeIs(3));
   EXPECT_TRUE(c.groups[0].has_pose);
@@ -278,7 +278,7 @@ TEST_F(ConstraintTest, APlateIsOneGroupWithItsPose) {
 TEST_F(ConstraintTest, WithoutFeaturesTheRestIsBoundAnew) {
   const Constraints c = bound("\"bar.toml\"",
                               "placement,feature,probe,q1,q2\n"
-                              "1,A,ball,1,2\n1,B,ball,1,2\n2,A,ball,1,2\n2,B,ball,1,2\n2,far,ball,1,2\n");
+                              "1,A,ball,1,2\n1,B,ball,2,2\n2,A,ball,3,2\n2,B,ball,4,2\n2,far,ball,5,2\n");
   const Constraints without_placement = without_features(c, {true, true, false, false, false});
   ASSERT_THAT(without_placement.features, SizeIs(3));
   EXPECT_THAT(without_placement.features[0].readings, ElementsAre(2)) << "readings keep their numbers";
