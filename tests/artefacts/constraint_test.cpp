@@ -182,11 +182,11 @@ TEST_F(ConstraintTest, CertifiedLengthsGrowWithTheTemperatureOfTheirPlacement) {
                               "warm,A,ball,24,1,2\n"
                               "warm,B,ball,26,3,4\n"
                               "warm,ball,ball,25,3,4\n"
-                              "warm,ball,ball,,3,4\n"
+                              "warm,ball,ball,,13,4\n"
                               "cold,A,ball,10,5,6\n"
                               "cold,B,ball,10,7,8\n"
-                              "unread,A,ball,,5,6\n"
-                              "unread,B,ball,,7,8\n");
+                              "unread,A,ball,,9,10\n"
+                              "unread,B,ball,,11,12\n");
   ASSERT_THAT(c.distances, SizeIs(3));
   EXPECT_NEAR(c.distances[0].value, 1000.05, 1e-9);
   EXPECT_NEAR(c.distances[1].value, 999.9, 1e-9);
