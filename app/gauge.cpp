@@ -77,7 +77,7 @@ Indices pivots_among(const Indices& fixed, const Eigen::MatrixXd& combinations) 
 
 // The combinations as columns of which each moves one pivot by 1 and no other; nothing where there are none such.
 Eigen::MatrixXd by_pivots(const Eigen::MatrixXd& combinations, const Indices& pivots) {
-  if (combinations.cols() != static_cast<Eigen::Index>(pivots.size())) {
+  if (pivots.empty() || combinations.cols() != static_cast<Eigen::Index>(pivots.size())) {
     return {};
   }
   const Eigen::FullPivLU<Eigen::MatrixXd> at_pivots(combinations(pivots, Eigen::all));

@@ -73,7 +73,9 @@ TEST(Csv, BrokenQuotesAreNamed) {
 
 TEST(Csv, ShortAndLongRowsAreNamed) {
   EXPECT_EQ(refusal("a,b\n1,2\n3\n"), "f.csv:3:1: the line has 1 fields, expected 2 as in the header");
-  EXPECT_EQ(refusal("a,b\n1,2,3\n"), "f.csv:2:1: the line has 3 fields, expected 2 as in the header");
+  EXPECT_EQ(refusal("a,b\n1,2,3\n"),
+            "f.csv:2:1: the line has 3 fields, expected 2 as in the header; are there decimal commas? Numbers have "
+            "points here");
   EXPECT_THAT(refusal("a,b\n1,2,\n"), HasSubstr("3 fields"));
 }
 
@@ -111,7 +113,9 @@ TEST(Csv, WhatIsNoNumberIsQuotedWithItsPlace) {
     const auto number = csv->number(1, "an angle in deg");
     ASSERT_FALSE(number) << bad;
     const std::string shown = bad.empty() ? "nothing" : "\"" + bad + "\"";
-    EXPECT_EQ(number.error().text(), "f.csv:2:4: column value: found " + shown + ", expected an angle in deg");
+    EXPECT_EQ(number.error().text(),
+              "f.csv:2:4: column value: found " + shown + ", expected an angle in deg" +
+                  (bad == "1,5" ? "; is the comma a decimal comma? Write \"1,5\" with a point: 1.5" : ""));
   }
 }
 

@@ -102,7 +102,7 @@ TEST_F(PointCloudText, AnUnlikelySizeIsSaid) {
   const auto cloud = read("p.xyz", "0 0 0\n0.0125 0 0\n0 0.0125 0\n");
   ASSERT_TRUE(cloud);
   EXPECT_THAT(cloud->warnings, ElementsAre("the points span 0.0125 mm; is the unit right?"));
-  EXPECT_THAT(read("p.xyz", "0 0 0\n1250 0 0\n", {units::metre, {}})->warnings,
+  EXPECT_THAT(read("p.xyz", "1 0 0\n1251 0 0\n", {units::metre, {}})->warnings,
               ElementsAre(HasSubstr("the points span 1.25e+06 mm")));
 }
 

@@ -182,7 +182,9 @@ TEST_F(ReadingsFile, QuotedLabelsKeepTheirCommas) {
 TEST_F(ReadingsFile, OtherSeparatorsAndRaggedRowsAreRefused) {
   EXPECT_THAT(refusal("q1;q2\n1,5;2,5\n"), HasSubstr("semicolons"));
   EXPECT_EQ(refusal("q1,q2\n1,2\n1\n"), "r.csv:3:1: the line has 1 fields, expected 2 as in the header");
-  EXPECT_EQ(refusal("q1,q2\n1,5,2,5\n"), "r.csv:2:1: the line has 4 fields, expected 2 as in the header");
+  EXPECT_EQ(refusal("q1,q2\n1,5,2,5\n"),
+            "r.csv:2:1: the line has 4 fields, expected 2 as in the header; are there decimal commas? Numbers have "
+            "points here");
 }
 
 TEST_F(ReadingsFile, HostileInputIsRefusedBriefly) {

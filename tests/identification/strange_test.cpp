@@ -85,8 +85,15 @@ Evaluation sound_session(int placements, int readings, double sigma, std::uint64
       const double rms = std::sqrt(squares / readings);
       evaluation.features.push_back({{"plate", std::to_string(p), std::to_string(ball)}, readings, rms, rms});
       const double gain = std::pow(10.0, decades(random));
-      evaluation.lengths.push_back({evaluation.features.back().name, "other", 500.0,
-                                    std::hypot(gain * sigma, 0.001) * normal(random), 0.001, gain});
+      LengthDeviation length;
+      length.first = evaluation.features.back().name;
+      length.second = "other";
+      length.certified.value = 500.0;
+      length.at_temperature = 500.0;
+      length.error = std::hypot(gain * sigma, 0.001) * normal(random);
+      length.u = 0.001;
+      length.gain = gain;
+      evaluation.lengths.push_back(std::move(length));
     }
   }
   return evaluation;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "artefacts/verification/iso10360_12.h"
