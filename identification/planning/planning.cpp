@@ -11,7 +11,6 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "identification/planning/ball_patterns.h"
 #include "identification/planning/design_pool.h"
 #include "identification/planning/exchange.h"
 #include "identification/selection.h"
@@ -205,22 +204,6 @@ class Planner {
   TestLengths told_by_;
 };
 
-// The touches of each ball on enough of it.
-void spread(const Simulation& possible, const Constraints& constraints, const PossiblePlacement& placement,
-            Readings& readings) {
-  std::vector<int> chosen;
-  for (const int k : readings) {
-    chosen.push_back(placement.readings[static_cast<std::size_t>(k)].reading);
-  }
-  chosen = with_spread_touches(possible, constraints, placement.placement, chosen);
-  readings.clear();
-  for (const int k : all_of(placement)) {
-    if (std::binary_search(chosen.begin(), chosen.end(), placement.readings[static_cast<std::size_t>(k)].reading)) {
-      readings.push_back(k);
-    }
-  }
-}
-
 int candidate_of(const Simulation& possible, int placement) {
   const std::string& name = possible.recording.placements.name(placement);
   const auto found = std::find_if(possible.placements.begin(), possible.placements.end(),
@@ -277,10 +260,7 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
     readings = static_cast<int>(measured->readings.size());
     planning.measured = planner.expect(known, readings);
   }
-  std::vector<Taken> chosen = planner.choose(known);
-  for (Taken& taken : chosen) {
-    spread(possible, constraints, pool->placements[static_cast<std::size_t>(taken.placement)], taken.readings);
-  }
+  const auto chosen = planner.choose(known);
   int taken = readings;
   for (const auto& [p, indices] : chosen) {
     const PossiblePlacement& placement = pool->placements[static_cast<std::size_t>(p)];
@@ -289,7 +269,6 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
     for (const int k : indices) {
       out.readings.push_back(placement.readings[static_cast<std::size_t>(k)].reading);
     }
-    out.balls = planned_balls(possible, constraints, placement.placement, out.readings);
     taken += static_cast<int>(indices.size());
   }
   std::vector<Taken> everything;

@@ -9,7 +9,6 @@
 #include "artefacts/postures.h"
 #include "artefacts/simulation/possible_session.h"
 #include "artefacts/simulation/posture.h"
-#include "identification/planning/ball_patterns.h"
 #include "tests/support/recordings.h"
 #include "tests/support/simulated_session.h"
 
@@ -142,65 +141,6 @@ TEST(PlanSession, WhatIsMeasuredCounts) {
   EXPECT_LT(plan->planned.u.mean, plan->measured->u.mean);
   EXPECT_LT(plan->planned.u.mean, alone.planned.u.mean);
   EXPECT_GT(plan->planned.u.mean, plan->all.u.mean);
-}
-
-// The dilution of a ball's centre by a numerical derivative that shares nothing with the code: how far the best sphere
-// moves (Gauss, Newton from the true one) when one touch of the unit ball lies 1e-5 farther out, over all touches.
-double dilution_by_differences(const std::vector<Eigen::Vector3d>& directions) {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::size_t moved = 0; moved < directions.size(); ++moved) {
-    Eigen::Vector4d ball(0.0, 0.0, 0.0, 1.0);
-    for (int iteration = 0; iteration < 5; ++iteration) {
-      Eigen::MatrixXd slopes(directions.size(), 4);
-      Eigen::VectorXd off(directions.size());
-      for (std::size_t i = 0; i < directions.size(); ++i) {
-        const Eigen::Vector3d from_centre = (i == moved ? 1.0 + 1e-5 : 1.0) * directions[i] - ball.head<3>();
-        off(static_cast<Eigen::Index>(i)) = from_centre.norm() - ball(3);
-        slopes.row(static_cast<Eigen::Index>(i)) << from_centre.normalized().transpose(), 1.0;
-      }
-      ball += slopes.colPivHouseholderQr().solve(off);
-    }
-    covariance += ball.head<3>() * ball.head<3>().transpose() / 1e-10;
-  }
-  return std::sqrt(covariance.jacobiSvd().singularValues()(0));
-}
-
-TEST(BallPatterns, TouchesOnAPatchAreSpread) {
-  std::vector<Eigen::Vector3d> directions;
-  for (int i = 0; i < 8; ++i) {
-    directions.emplace_back(Eigen::Vector3d(0.2 * std::cos(0.8 * i), 0.2 * std::sin(0.8 * i), 1.0).normalized());
-  }
-  for (int i = 0; i < 8; ++i) {
-    directions.emplace_back(Eigen::Vector3d(std::cos(0.7 * i), std::sin(0.7 * i), 0.1 * i - 0.3).normalized());
-  }
-  const auto some = [&](const std::vector<int>& chosen) {
-    std::vector<Eigen::Vector3d> all;
-    for (const int i : chosen) all.push_back(directions[static_cast<std::size_t>(i)]);
-    return all;
-  };
-  const std::vector<int> patch{0, 2, 4, 5, 7};
-  ASSERT_GT(dilution_by_differences(some(patch)), 20.0);
-  const std::vector<int> spread = spread_touches(directions, patch);
-  EXPECT_EQ(spread.size(), 5u);
-  EXPECT_LT(dilution_by_differences(some(spread)), max_planned_dilution);
-  const std::vector<int> good{0, 8, 10, 12, 14};
-  EXPECT_EQ(spread_touches(directions, good), good);
-  const std::vector<int> few{0, 1, 2};
-  EXPECT_EQ(spread_touches(directions, few), few);
-}
-
-// Five touches a ball, in forty placements: no ball on a patch.
-TEST(PlanSession, ProposesNoTouchesOnAPatch) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Possible pool = possible(seed, 6, 12);
-    for (const ChosenPlacement& chosen : planned(pool, options_of(2, 5, seed)).chosen) {
-      ASSERT_EQ(chosen.balls.size(), 2u);
-      for (const PlannedBall& ball : chosen.balls) {
-        EXPECT_EQ(ball.touches, 5);
-        EXPECT_LT(ball.dilution, max_planned_dilution) << "seed " << seed;
-      }
-    }
-  }
 }
 
 // Root mean square of lengths between postures drawn between the end stops, mm.
