@@ -11,11 +11,14 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "identification/linearisation.h"
 #include "identification/planning/design_pool.h"
 #include "identification/planning/exchange.h"
 #include "identification/selection.h"
+#include "identification/settle.h"
 #include "identification/svd.h"
 #include "identification/triangular_factor.h"
+#include "identification/weights.h"
 
 namespace artcal {
 namespace {
@@ -66,41 +69,20 @@ PossiblePlacement thinned(PossiblePlacement placement, int count) {
   return placement;
 }
 
-// What was measured tells of the pool's common columns. An artefact that is in both has the same errors in both; those
-// of others are eliminated.
+// What was measured tells of the arm, padded to the pool's common columns. Certificates' errors count as its own.
 Expected<Eigen::MatrixXd> told_by_measured(const Recording& measured, const Constraints& constraints, const Arm& arm,
                                            const DesignPool& pool, const Noise& noise) {
-  const auto own = design_pool(measured, constraints, arm, pool.system.free, noise);
-  if (!own) {
-    return tl::unexpected(own.error());
+  const System system = make_system(measured, constraints, arm, pool.system.free);
+  const auto unknowns = settle(system, arm, measured);
+  if (!unknowns) {
+    return tl::unexpected(unknowns.error());
   }
-  TriangularFactor told(own->common());
-  for (const PossiblePlacement& placement : own->placements) {
-    told.add(told_by(placement, all_of(placement), own->common()));
-  }
-  std::vector<int> others;
-  std::vector<std::pair<int, int>> same;  // column of its own, column of the pool
-  for (int column = 0; column < own->shared; ++column) {
-    const auto& names = pool.shared_names;
-    const auto found = std::find(names.begin(), names.end(), own->shared_names[static_cast<std::size_t>(column)]);
-    if (found == names.end()) {
-      others.push_back(column);
-      told.add(own->known.row(column));
-    } else {
-      same.emplace_back(column, static_cast<int>(found - names.begin()));
-    }
-  }
-  const Eigen::MatrixXd triangle = told.triangle();
-  const auto leading = static_cast<int>(others.size());
-  Eigen::MatrixXd in_pool = Eigen::MatrixXd::Zero(triangle.rows(), leading + pool.common());
-  in_pool.leftCols(leading) = triangle(Eigen::all, others);
-  for (const auto& [from, to] : same) {
-    in_pool.col(leading + to) = triangle.col(from);
-  }
-  in_pool.rightCols(pool.system.arm_size()) = triangle.rightCols(pool.system.arm_size());
-  TriangularFactor factor(leading + pool.common());
-  factor.add(in_pool);
-  return eliminate_leading(factor.triangle(), leading);
+  const Linearisation linear =
+      linearise(system, first_weights(system, arm, *unknowns, noise), Loss::None, arm, *unknowns);
+  const Eigen::MatrixXd triangle = arm_triangle(linear, system.arm_size());
+  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(triangle.rows(), pool.common());
+  padded.rightCols(triangle.cols()) = triangle;
+  return padded;
 }
 
 /// Choosing and judging over one pool.
