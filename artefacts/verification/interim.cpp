@@ -14,6 +14,8 @@ using Key = std::tuple<Quantity, std::string, std::string, std::string, std::str
 using Groups = std::map<Key, std::vector<const TestValue*>>;
 
 constexpr double chance_of_unequal = 0.05;  // of calling equal scatters different
+// The same where it is said of the arm: a bumped arm may scatter about the same means.
+constexpr double chance_of_changed = 0.001;
 
 Groups grouped(const std::vector<TestValue>& values) {
   Groups groups;
@@ -55,16 +57,19 @@ struct ScatterOfBoth {
   [[nodiscard]] Scatter pooled() const { return {then.squares + now.squares, then.freedom + now.freedom}; }
 
   // Pooling two variances that differ accuses an arm that has not moved: F says whether they do.
-  [[nodiscard]] bool differ() const {
+  [[nodiscard]] bool differ(double chance = chance_of_unequal) const {
     if (then.freedom == 0 || now.freedom == 0 || then.variance() == now.variance()) {
       return false;
     }
     const bool now_is_larger = now.variance() > then.variance();
     const Scatter& larger = now_is_larger ? now : then;
     const Scatter& smaller = now_is_larger ? then : now;
-    const double limit = f_quantile_above(0.5 * chance_of_unequal, larger.freedom, smaller.freedom);
+    const double limit = f_quantile_above(0.5 * chance, larger.freedom, smaller.freedom);
     return larger.variance() > limit * smaller.variance();
   }
+
+  /// Whether the repeats scatter more now than chance allows (F test).
+  [[nodiscard]] bool has_grown() const { return now.variance() > then.variance() && differ(chance_of_changed); }
 
   // Of the difference of two means.
   [[nodiscard]] std::vector<UncertaintyComponent> components(int repeats_then, int repeats_now) const {
@@ -153,7 +158,7 @@ InterimCheck compare(const std::vector<TestValue>& now, const std::vector<TestVa
   for (Drift& drift : check.drifts) {
     if (drift.degrees_of_freedom > 0) {
       drift.coverage = significance_factor(told, drift.effective_degrees_of_freedom);
-      drift.significant = std::abs(drift.drift) > drift.coverage * drift.u;
+      drift.significant = std::abs(drift.drift) > drift.coverage * drift.u || scatter[drift.quantity].has_grown();
     }
   }
   return check;
