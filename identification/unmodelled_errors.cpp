@@ -297,9 +297,7 @@ void judge_by_left_out(Loss loss, Identification& result) {
   CrossValidation found = cross_validate(result.left_out, effects_found, loss);
   const bool noise_exceeded =
       result.noise_is_given && result.chi_squared > chi_squared_quantile(0.999, result.degrees_of_freedom);
-  // An effect in the residuals alone may be chance; it counts where the placements left out are not predicted better
-  // than their uncertainty says.
-  if ((effects_found && found.ratio > 1.0) || noise_exceeded || found.scale > 1.0) {
+  if (effects_found || noise_exceeded || found.scale > 1.0) {
     const double known_noise = result.noise_is_given ? result.noise : 0.0;
     add_point_error(unmodelled_point_error(result.left_out, known_noise), result, found);
   }

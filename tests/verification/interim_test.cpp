@@ -127,11 +127,8 @@ TEST(Interim, ManyValuesAreNoMoreAlarms) {
   EXPECT_NEAR(static_cast<double>(alarms) / count, 0.05, 0.012);  // standard deviation 0.0034
 }
 
-// Pooled, ten good repeats then and three ten times as bad now would accuse the arm in 44 of 100 checks.
-TEST(Interim, AnArmThatScattersMoreIsNotAccusedOfDrift) {
-  EXPECT_LT(share_of_false_alarms(10, 3, 10.0), 0.07);
-  EXPECT_GT(share_of_false_alarms(10, 3, 10.0), 0.03);
-}
+// A bumped arm may scatter about the same means: ten times the scatter is a change of the arm (F test at 0.1 %).
+TEST(Interim, AnArmThatScattersMoreHasChanged) { EXPECT_GT(share_of_false_alarms(10, 3, 10.0), 0.85); }
 
 // One degree of freedom: 12.71. Of u, half of whose variance is the budgets', 2² / 1 = 4: 2.776 (JCGM 100, table G.2).
 TEST(Interim, CoverageIsStudentsAndTheBudgetsCount) {
