@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace artcal {
 namespace {
@@ -26,17 +25,26 @@ std::vector<Eigen::Index> first_coincident(const Eigen::Ref<const Eigen::MatrixX
     }
     return 0;
   };
-  std::vector<Eigen::Index> sorted(static_cast<std::size_t>(columns.cols()));
-  std::iota(sorted.begin(), sorted.end(), Eigen::Index{0});
-  std::sort(sorted.begin(), sorted.end(), [&](Eigen::Index i, Eigen::Index j) {
-    const int order = order_of(i, j);
-    return order < 0 || (order == 0 && i < j);
+  // The first row beside the index: most comparisons of a scan's millions of points end there, without a look at the
+  // columns, which lie anywhere in memory.
+  struct Key {
+    double first_row;
+    Eigen::Index column;
+  };
+  std::vector<Key> sorted(static_cast<std::size_t>(columns.cols()));
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    sorted[static_cast<std::size_t>(i)] = {columns.rows() > 0 ? columns(0, i) : 0.0, i};
+  }
+  std::sort(sorted.begin(), sorted.end(), [&](const Key& a, const Key& b) {
+    int order = compare(a.first_row, b.first_row);
+    order = order == 0 ? order_of(a.column, b.column) : order;
+    return order < 0 || (order == 0 && a.column < b.column);
   });
   std::vector<Eigen::Index> first(sorted.size());
   for (std::size_t k = 0; k < sorted.size(); ++k) {
-    const auto i = static_cast<std::size_t>(sorted[k]);
-    const bool repeats = k > 0 && order_of(sorted[k - 1], sorted[k]) == 0;
-    first[i] = repeats ? first[static_cast<std::size_t>(sorted[k - 1])] : sorted[k];
+    const Eigen::Index column = sorted[k].column;
+    const bool repeats = k > 0 && order_of(sorted[k - 1].column, column) == 0;
+    first[static_cast<std::size_t>(column)] = repeats ? first[static_cast<std::size_t>(sorted[k - 1].column)] : column;
   }
   return first;
 }

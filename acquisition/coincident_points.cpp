@@ -50,6 +50,15 @@ void keep(PointCloud& cloud, const std::vector<bool>& dropped) {
   cloud.rows.resize(static_cast<std::size_t>(kept));
 }
 
+std::vector<Eigen::Index> first_of_equal(const PointCloud& cloud) {
+  if (cloud.joints.rows() == 0) {
+    return first_coincident(cloud.points);
+  }
+  Eigen::MatrixXd columns(3 + cloud.joints.rows(), cloud.points.cols());
+  columns << cloud.points, cloud.joints;
+  return first_coincident(columns);
+}
+
 void drop_zeros(PointCloud& cloud) {
   const auto at_zero = points_at_zero(cloud.points);
   const auto zeros = static_cast<Eigen::Index>(std::count(at_zero.begin(), at_zero.end(), true));
@@ -66,12 +75,7 @@ void drop_zeros(PointCloud& cloud) {
 
 void drop_coincident_points(PointCloud& cloud) {
   drop_zeros(cloud);
-  Eigen::MatrixXd columns(3 + cloud.joints.rows(), cloud.points.cols());
-  columns.topRows<3>() = cloud.points;
-  if (cloud.joints.rows() > 0) {
-    columns.bottomRows(cloud.joints.rows()) = cloud.joints;
-  }
-  const auto first = first_coincident(columns);
+  const auto first = first_of_equal(cloud);
   std::vector<bool> repeated(first.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < first.size(); ++i) {
