@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "identification/system.h"
+
 namespace artcal {
 namespace {
 
@@ -76,6 +78,25 @@ NumberLayout layout_of(const Constraints& constraints, int arm_size) {
   layout.arm = layout.common + static_cast<Eigen::Index>(constraints.shared.size());
   layout.size = layout.arm + arm_size;
   return layout;
+}
+
+Eigen::VectorXd packed(const NumberLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x) {
+  Eigen::VectorXd numbers(layout.size);
+  for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
+    const Eigen::VectorXd& values = unknowns.groups[g].values;
+    numbers.segment(layout.groups[g], values.size()) = values;
+  }
+  numbers.segment(layout.common, unknowns.shared.size()) = unknowns.shared;
+  numbers.tail(x.size()) = x;
+  return numbers;
+}
+
+void unpack(const NumberLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns) {
+  for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
+    Eigen::VectorXd& values = unknowns.groups[g].values;
+    values = numbers.segment(layout.groups[g], values.size());
+  }
+  unknowns.shared = numbers.segment(layout.common, unknowns.shared.size());
 }
 
 }  // namespace artcal

@@ -8,6 +8,8 @@
 
 namespace artcal {
 
+struct Unknowns;  // identification/system.h
+
 /// Adjacent entries of Constraints::shared that belong to one feature of an artefact, and so enter its residuals
 /// together.
 struct FeatureParameters {
@@ -41,5 +43,10 @@ struct NumberLayout {
   Eigen::Index size = 0;
 };
 NumberLayout layout_of(const Constraints& constraints, int arm_size);
+
+/// Unknowns and the arm's x as one vector. REQUIRES: x.size() == layout.size - layout.arm.
+Eigen::VectorXd packed(const NumberLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x);
+/// Puts a vector's unknowns into `unknowns`, which have their sizes and references already.
+void unpack(const NumberLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns);
 
 }  // namespace artcal

@@ -40,12 +40,7 @@ Expected<PlacementRefit> PlacementRefit::of(const System& system, const ArmFit& 
   refit.weights_ = first_weights(system, fit.arm, fit.unknowns, noise);
   refit.blocks_ = placed_blocks(constraints, refit.places_);
   refit.layout_ = layout_of(constraints, system.arm_size());
-  refit.start_ = Eigen::VectorXd::Zero(refit.layout_.size);
-  for (std::size_t g = 0; g < fit.unknowns.groups.size(); ++g) {
-    const Eigen::VectorXd& values = fit.unknowns.groups[g].values;
-    refit.start_.segment(refit.layout_.groups[g], values.size()) = values;
-  }
-  refit.start_.segment(refit.layout_.common, fit.unknowns.shared.size()) = fit.unknowns.shared;
+  refit.start_ = packed(refit.layout_, fit.unknowns, Eigen::VectorXd::Zero(system.arm_size()));
   refit.at_fit_ = std::make_shared<const Trees>(
       placed_linearisation(system, refit.weights_, refit.blocks_, refit.places_, fit.arm, fit.unknowns));
   refit.gradient_ = gradient(refit.at_fit_->linearisation.linearisation);
@@ -90,11 +85,7 @@ int PlacementRefit::degrees_of_freedom(const Placement& placement) const {
 
 Unknowns PlacementRefit::unknowns_at(const Eigen::VectorXd& numbers) const {
   Unknowns unknowns = fit_->unknowns;
-  for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
-    Eigen::VectorXd& values = unknowns.groups[g].values;
-    values = numbers.segment(layout_.groups[g], values.size());
-  }
-  unknowns.shared = numbers.segment(layout_.common, unknowns.shared.size());
+  unpack(layout_, numbers, unknowns);
   return unknowns;
 }
 

@@ -190,23 +190,13 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
 class Numbers {
  public:
   Numbers(const NumberLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
-      : layout_(layout), all_(layout.size) {
-    for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
-      all_.segment(layout.groups[g], unknowns.groups[g].values.size()) = unknowns.groups[g].values;
-    }
-    all_.segment(layout.common, unknowns.shared.size()) = unknowns.shared;
-    all_.tail(x.size()) = x;
-  }
+      : layout_(layout), all_(packed(layout, unknowns, x)) {}
   double* group(int index) { return all_.data() + layout_.groups[index]; }
   double* shared() { return all_.data() + layout_.common; }
   double* x() { return all_.data() + layout_.arm; }
 
   void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
-    for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
-      auto& values = unknowns.groups[g].values;
-      values = Eigen::VectorXd::Map(group(static_cast<int>(g)), values.size());
-    }
-    unknowns.shared = Eigen::VectorXd::Map(shared(), unknowns.shared.size());
+    unpack(layout_, all_, unknowns);
     x_out = Eigen::VectorXd::Map(x(), x_out.size());
   }
 

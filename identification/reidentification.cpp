@@ -27,22 +27,13 @@ Expected<Reidentification> Reidentification::of(const System& system, const ArmF
     return tl::unexpected(factor.error());
   }
   again.factor_ = std::move(*factor);
-  again.start_ = Eigen::VectorXd::Zero(again.layout_.size);
-  for (std::size_t g = 0; g < fit.unknowns.groups.size(); ++g) {
-    const Eigen::VectorXd& values = fit.unknowns.groups[g].values;
-    again.start_.segment(again.layout_.groups[g], values.size()) = values;
-  }
-  again.start_.segment(again.layout_.common, fit.unknowns.shared.size()) = fit.unknowns.shared;
+  again.start_ = packed(again.layout_, fit.unknowns, Eigen::VectorXd::Zero(system.arm_size()));
   return again;
 }
 
 Unknowns Reidentification::unknowns_at(const Eigen::VectorXd& numbers) const {
   Unknowns unknowns = fit_->unknowns;
-  for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
-    Eigen::VectorXd& values = unknowns.groups[g].values;
-    values = numbers.segment(layout_.groups[g], values.size());
-  }
-  unknowns.shared = numbers.segment(layout_.common, unknowns.shared.size());
+  unpack(layout_, numbers, unknowns);
   return unknowns;
 }
 
