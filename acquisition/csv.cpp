@@ -9,22 +9,10 @@
 
 #include "core/decimal_comma.h"
 #include "core/in_quotes.h"
+#include "core/trimmed.h"
 
 namespace artcal {
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Expected<CsvReader> CsvReader::open(const TextFile& file, const HeaderKind& kind) {
   CsvReader reader(file);

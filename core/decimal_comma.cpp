@@ -5,18 +5,12 @@
 #include <fmt/format.h>
 
 #include "core/in_quotes.h"
+#include "core/trimmed.h"
 
 namespace artcal {
 namespace {
 
 constexpr std::string_view digits = "0123456789";
-constexpr std::string_view blanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view{}
-                                         : text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
 
 // Where the comma stands in "-3,5" or "3,5e-2 mm": digits, one comma, digits, and no point.
 std::size_t decimal_comma(std::string_view text) {
