@@ -168,8 +168,7 @@ std::string refusal_text(const SegmentResult& result) {
     case SegmentStatus::NotThere:
       return fmt::format(
           "{}; spheres were found at {} {}: correct the place, or state that of another sphere, because one that is "
-          "not "
-          "in the scan cannot show which is which{}",
+          "not in the scan cannot show which is which{}",
           unmet_text(result), found_text(result), result.unit, hints);
     case SegmentStatus::NoMatch:
       return fmt::format(

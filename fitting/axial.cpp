@@ -147,8 +147,7 @@ std::string too_small(std::string_view feature, const Cloud& cloud, double radiu
 std::string several(std::string_view feature) {
   return fmt::format(
       "the points do not tell a {}: several different ones hold them equally well; probe more points, at several "
-      "heights "
-      "and around it",
+      "heights and around it",
       feature);
 }
 

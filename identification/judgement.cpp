@@ -117,8 +117,8 @@ void mark_weak(std::vector<std::string> names, Identification& result) {
   result.warnings.push_back(fmt::format(
       "these readings alone do not determine {} within 10 mm or 3 deg, and the estimation does not converge to a "
       "plausible arm: a weak prior about the nominal values (standard deviation 10 mm or 3 deg) was added, which "
-      "decides "
-      "{} of {} parameters and is counted in the uncertainties. More varied postures, or --hold, make it unnecessary",
+      "decides {} of {} parameters and is counted in the uncertainties. More varied postures, or --hold, make it "
+      "unnecessary",
       fmt::join(names, ", "), names.size(), result.free.size()));
   result.weak = std::move(names);
 }

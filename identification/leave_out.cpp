@@ -34,12 +34,9 @@ LeftOut leave_out(const System& readings, const Recording& recording, const Cons
   }
   LeftOut result;
   result.deviation.name = {constraints.artefacts[place.first].name, recording.placements.name(place.second), ""};
-  Expected<ArmWithout> without = tl::unexpected(Error{});
-  if (auto refit = leaving_out.refit ? leaving_out.refit(place.first, place.second) : std::nullopt) {
-    without = std::move(*refit);
-  } else {
-    without = leaving_out.identify(without_features(constraints, is_in_place));
-  }
+  auto refit = leaving_out.refit ? leaving_out.refit(place.first, place.second) : std::nullopt;
+  const auto without = refit ? Expected<ArmWithout>(std::move(*refit))
+                             : leaving_out.identify(without_features(constraints, is_in_place));
   if (!without) {
     result.refusal = without.error().text();
     return result;

@@ -174,8 +174,7 @@ std::string warning_of(const std::vector<CertificateOutlier>& certificates, Loss
       certificates.size() == 1 ? "" : fmt::format(" (and {} more certified values)", certificates.size() - 1);
   return fmt::format(
       "the certificate of artefact {} contradicts the readings: its {} {:.6g} mm (u = {:.2g} mm) is {:+.3g} mm off "
-      "what "
-      "the rest determines{}, {:.1f} standard deviations{}. {}",
+      "what the rest determines{}, {:.1f} standard deviations{}. {}",
       in_quotes(worst.name.artefact), quantity_text(worst), worst.certified, worst.u, -worst.deviation, where,
       worst.standardised, more,
       loss == Loss::None ? "Check the certificate and which artefact was read; --loss cauchy identifies without what "

@@ -252,8 +252,8 @@ void write_parameters(const Results& results, Sheet& sheet) {
   sheet.table(table);
   sheet.paragraph(fmt::format(
       "Significant: a change beyond {:.1f} u, which by chance one of {} parameters shows in one of twenty comparisons. "
-      "The "
-      "results are taken to be independent of one another; what a common artefact is wrong by changes none of them.",
+      "The results are taken to be independent of one another; what a common artefact is wrong by changes none of "
+      "them.",
       widest, tracks.size()));
 }
 

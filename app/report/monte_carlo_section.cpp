@@ -181,8 +181,7 @@ void write_monte_carlo(const Json& result, Sheet& sheet) {
   write_differences(quantities, sheet);
   sheet.paragraph(
       "Monte Carlo as in JCGM 101: every trial draws the readings and the certified values from their distributions "
-      "and "
-      "identifies the arm again. Intervals are probabilistically symmetric.");
+      "and identifies the arm again. Intervals are probabilistically symmetric.");
 }
 
 }  // namespace artcal

@@ -58,8 +58,7 @@ class PoorlyDetermined {
   [[nodiscard]] std::string text() const {
     return fmt::format(
         "{}: the touches on {} lie on so small a part of it that they determine its {} with {:.1f} times the scatter "
-        "of "
-        "one touch, u(points) = {:.1f} um{}; spread them from the pole to the equator",
+        "of one touch, u(points) = {:.1f} um{}; spread them from the pole to the equator",
         label_of(*worst_), in_quotes(worst_->dilution.worst_feature),
         worst_->second.empty() ? "size and place" : "centre", worst_->dilution.worst, 1e3 * worst_->budget.points,
         count_ > 1 ? fmt::format(" (the worst of {} such values)", count_) : "");

@@ -81,8 +81,7 @@ Artefact calibrated_artefact(const Artefact& certified, const PlateCalibration& 
       "Coordinates by a swing-round of {} placements, turned by at least {:.0f} degrees against each other; U by their "
       "scatter, written with k = 2; its {:.3g} degrees of freedom ask for k = {:.3g} for 95 %. The scale is the arm's "
       "and not in U: it needs a calibrated length. Diameters, form and expansion are "
-      "those "
-      "of the certificate of before.",
+      "those of the certificate of before.",
       calibration.placements, calibration.least_turn / units::degree, calibration.degrees_of_freedom,
       stated_coverage_factor(calibration.degrees_of_freedom));
   for (std::size_t i = 0; i < calibration.features.size(); ++i) {
