@@ -23,6 +23,7 @@
 #include "app/referenced_files.h"
 #include "app/result_json.h"
 #include "app/result_text.h"
+#include "artefacts/dcc_write.h"
 #include "artefacts/read_constraints.h"
 #include "identification/identify.h"
 

@@ -17,6 +17,7 @@
 #include "app/verification_text.h"
 #include "app/version.h"
 #include "artefacts/artefact_text.h"
+#include "artefacts/dcc_write.h"
 #include "artefacts/verification/verify.h"
 
 namespace artcal {

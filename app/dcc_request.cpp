@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "artefacts/dcc_data_file.h"
+
 namespace artcal {
 
 void DccRequest::add_to(CLI::App& parser) {

@@ -8,6 +8,7 @@
 #include "artefacts/artefact_values.h"
 #include "artefacts/certificate.h"
 #include "artefacts/dcc_read.h"
+#include "artefacts/dcc_select.h"
 #include "artefacts/geometry_tables.h"
 #include "core/in_quotes.h"
 #include "core/size_limits.h"

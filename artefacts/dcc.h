@@ -63,17 +63,4 @@ struct DccCertificate {
   std::vector<DccQuantity> quantities;  ///< of the results, in the file's order
 };
 
-/// Reads a DCC. Texts are passed over; a quantity that is not read (a number that is none, complex numbers) has a
-/// fault and does not keep the others from being read. Refused: what is no DCC of these versions, a document type or
-/// entities of its own, deep nesting, another encoding than UTF-8, a date that is none, more than 16 MiB.
-Expected<DccCertificate> read_dcc_file(const std::filesystem::path& path);
-
-/// The one quantity that `key` names: by id, else by name, else by reference type; or by "part/…/name", where parts are
-/// ids, names or reference types of what it is in. White space within names does not matter. None or several: a refusal
-/// that lists what there is. One with a fault: its fault.
-Expected<DccQuantity> find_quantity(const DccCertificate& certificate, std::string_view key);
-
-/// All quantities of a certificate in a line, for people; the first dozen if there are more.
-std::string list_of_quantities(const DccCertificate& certificate);
-
 }  // namespace artcal

@@ -1,9 +1,10 @@
+#include "artefacts/dcc_data_file.h"
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
-#include "artefacts/dcc_document.h"
 #include "core/in_quotes.h"
 #include "core/toml_document.h"
 

@@ -69,17 +69,4 @@ struct DccDocument {
   std::vector<DccResult> results;
 };
 
-/// The document as XML: DCC 3.3.0 with D-SI 2.2.1, UTF-8. It says of itself, first among its statements, that it is
-/// unsigned data and no certificate until a laboratory makes it one. Control characters become spaces, everything else
-/// is escaped. REQUIRES: the texts that may not be empty are not, there is a result, and each has an entry.
-std::string dcc_xml(const DccDocument& document);
-
-/// Reads what only the laboratory knows from a TOML file (docs/files.md, "dcc-data.toml"). Nothing has a default: what
-/// is missing is refused.
-struct DccDataFile {
-  DccData data;
-  InputFile input;
-};
-Expected<DccDataFile> read_dcc_data(const std::filesystem::path& path);
-
 }  // namespace artcal

@@ -8,6 +8,7 @@
 #include "core/calendar_date.h"
 #include "core/in_quotes.h"
 #include "core/size_limits.h"
+#include "core/text_file.h"
 
 namespace artcal {
 namespace {

@@ -1,8 +1,9 @@
+#include "artefacts/dcc_select.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "artefacts/dcc.h"
 #include "artefacts/xml.h"
 #include "core/in_quotes.h"
 

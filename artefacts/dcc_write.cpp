@@ -1,10 +1,11 @@
+#include "artefacts/dcc_write.h"
+
 #include <sstream>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include "artefacts/dcc_administrative.h"
-#include "artefacts/dcc_document.h"
 #include "artefacts/dcc_nodes.h"
 
 namespace artcal {

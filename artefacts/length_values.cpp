@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "artefacts/dcc_length.h"
+#include "artefacts/dcc_select.h"
 #include "core/in_quotes.h"
 
 namespace artcal {

@@ -2,8 +2,10 @@
 
 #include <type_traits>
 
-#include "fitting/extreme.h"
 #include "fitting/known.h"
+#include "fitting/minimum_circumscribed.h"
+#include "fitting/minimum_zone_plane.h"
+#include "fitting/radial_zone.h"
 
 namespace artcal::fitting {
 namespace {

@@ -1,11 +1,11 @@
+#include "fitting/minimum_circumscribed.h"
+
 #include <vector>
 
 #include <CGAL/Min_sphere_of_points_d_traits_2.h>
 #include <CGAL/Min_sphere_of_points_d_traits_3.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
 #include <CGAL/Simple_cartesian.h>
-
-#include "fitting/extreme.h"
 
 namespace artcal::fitting {
 namespace {

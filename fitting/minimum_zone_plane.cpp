@@ -1,3 +1,5 @@
+#include "fitting/minimum_zone_plane.h"
+
 #include <cmath>
 #include <vector>
 
@@ -7,8 +9,6 @@
 #include <CGAL/Width_3.h>
 #include <CGAL/Width_default_traits_3.h>
 #include <CGAL/convex_hull_3.h>
-
-#include "fitting/extreme.h"
 
 namespace artcal::fitting {
 namespace {

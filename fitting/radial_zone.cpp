@@ -1,10 +1,11 @@
+#include "fitting/radial_zone.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include <fmt/format.h>
 
-#include "fitting/extreme.h"
 #include "fitting/linear_program.h"
 
 namespace artcal::fitting {

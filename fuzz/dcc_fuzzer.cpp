@@ -1,4 +1,5 @@
-#include "artefacts/dcc.h"
+#include "artefacts/dcc_read.h"
+#include "artefacts/dcc_select.h"
 
 #include <cmath>
 

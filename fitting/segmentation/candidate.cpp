@@ -7,7 +7,9 @@
 
 #include "core/point_text.h"
 #include "fitting/segmentation/other_shape.h"
-#include "fitting/segmentation/surface_points.h"
+#include "fitting/segmentation/out_of_round.h"
+#include "fitting/segmentation/own_surface.h"
+#include "fitting/segmentation/settle.h"
 
 namespace artcal::segmentation {
 namespace {

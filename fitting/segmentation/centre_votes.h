@@ -19,12 +19,4 @@ struct CentreVotes {
 /// agree, those of a plane or a cylinder do not. Patches flatter than a sphere of that radius can be have no vote.
 CentreVotes centre_votes(const VoxelGrid& grid, double radius);
 
-struct VotePeak {
-  Eigen::Vector3d centre;          ///< mean of the votes that agree, about the same origin
-  std::vector<std::size_t> cubes;  ///< that they come from
-};
-
-/// Places where at least `fewest` votes lie within `radius`/5, strongest first, no two nearer than `radius`.
-std::vector<VotePeak> vote_peaks(const CentreVotes& votes, double radius, int fewest);
-
 }  // namespace artcal::segmentation

@@ -9,6 +9,7 @@
 #include "fitting/cloud.h"
 #include "fitting/segmentation/candidate.h"
 #include "fitting/segmentation/centre_votes.h"
+#include "fitting/segmentation/vote_peaks.h"
 #include "fitting/segmentation/voxel_grid.h"
 
 namespace artcal {

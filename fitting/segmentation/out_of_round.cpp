@@ -1,8 +1,8 @@
+#include "fitting/segmentation/out_of_round.h"
+
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
-
-#include "fitting/segmentation/surface_points.h"
 
 namespace artcal::segmentation {
 namespace {

@@ -1,3 +1,5 @@
+#include "fitting/segmentation/own_surface.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,6 @@
 #include "core/statistics.h"
 #include "fitting/segmentation/direction_cells.h"
 #include "fitting/segmentation/sphere_coverage.h"
-#include "fitting/segmentation/surface_points.h"
 
 namespace artcal::segmentation {
 namespace {

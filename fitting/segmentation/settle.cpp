@@ -1,3 +1,5 @@
+#include "fitting/segmentation/settle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,6 @@
 #include <Eigen/Cholesky>
 
 #include "core/statistics.h"
-#include "fitting/segmentation/surface_points.h"
 
 namespace artcal::segmentation {
 namespace {

@@ -1,11 +1,11 @@
+#include "fitting/segmentation/vote_peaks.h"
+
 #include <algorithm>
 #include <numeric>
 
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-
-#include "fitting/segmentation/centre_votes.h"
 
 namespace artcal::segmentation {
 namespace {

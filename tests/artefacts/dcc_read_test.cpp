@@ -6,7 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "artefacts/dcc.h"
+#include "artefacts/dcc_read.h"
+#include "artefacts/dcc_select.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "artefacts/dcc_document.h"
+#include "artefacts/dcc_data_file.h"
+#include "artefacts/dcc_read.h"
+#include "artefacts/dcc_write.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {

@@ -8,6 +8,7 @@
 
 #include "artefacts/artefact_file.h"
 #include "artefacts/dcc_length.h"
+#include "artefacts/dcc_read.h"
 #include "tests/support/damage.h"
 #include "tests/support/temporary_folder.h"
 
