@@ -12,12 +12,12 @@
 #include <fmt/format.h>
 #include <glog/logging.h>
 
-#include "app/command.h"
-#include "app/phrases.h"
+#include "app/commands/command.h"
+#include "app/output/phrases.h"
 #include "app/store/where.h"
 #include "app/version.h"
-#include "core/decimal_comma.h"
-#include "core/in_quotes.h"
+#include "core/text/decimal_comma.h"
+#include "core/text/in_quotes.h"
 
 namespace {
 

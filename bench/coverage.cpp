@@ -17,11 +17,11 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/postures.h"
 #include "artefacts/simulation/simulate.h"
+#include "artefacts/virtual_probing/postures.h"
 #include "identification/identify.h"
-#include "identification/monte_carlo.h"
-#include "identification/uncertain_arm.h"
+#include "identification/monte_carlo/monte_carlo.h"
+#include "identification/uncertainty/uncertain_arm.h"
 #include "tests/support/plans.h"
 
 namespace artcal {

@@ -7,7 +7,7 @@
 #include "bench/pcl_sphere.h"
 #include "core/random.h"
 #include "fitting/fit.h"
-#include "fitting/robust.h"
+#include "fitting/robust/robust.h"
 
 namespace {
 

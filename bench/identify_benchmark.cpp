@@ -8,12 +8,12 @@
 #include <benchmark/benchmark.h>
 #include <ceres/ceres.h>
 
-#include "artefacts/virtual_probing.h"
+#include "artefacts/virtual_probing/virtual_probing.h"
 #include "core/random.h"
-#include "identification/arm_fit.h"
-#include "identification/coupling_analysis.h"
-#include "identification/covariance.h"
+#include "identification/identifiability/coupling_analysis.h"
 #include "identification/identify.h"
+#include "identification/least_squares/arm_fit.h"
+#include "identification/uncertainty/covariance.h"
 #include "tests/support/arms.h"
 
 namespace artcal {

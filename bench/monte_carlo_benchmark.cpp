@@ -8,11 +8,11 @@
 #include <benchmark/benchmark.h>
 #include <ceres/ceres.h>
 
-#include "acquisition/recording_file.h"
+#include "acquisition/recording/recording_file.h"
 #include "identification/identify.h"
-#include "identification/monte_carlo.h"
-#include "identification/reidentification.h"
-#include "identification/trial_inputs.h"
+#include "identification/monte_carlo/monte_carlo.h"
+#include "identification/monte_carlo/reidentification.h"
+#include "identification/monte_carlo/trial_inputs.h"
 
 namespace artcal {
 namespace {

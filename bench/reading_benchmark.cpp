@@ -8,9 +8,9 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "acquisition/point_cloud.h"
-#include "acquisition/readings_file.h"
-#include "core/hash.h"
+#include "acquisition/point_cloud/point_cloud.h"
+#include "acquisition/recording/readings_file.h"
+#include "core/files/hash.h"
 #include "core/random.h"
 #include "core/units.h"
 #include "tests/support/temporary_folder.h"

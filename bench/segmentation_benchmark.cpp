@@ -7,7 +7,7 @@
 #include <CGAL/property_map.h>
 #include <sys/resource.h>
 
-#include "fitting/segmentation/find_spheres.h"
+#include "fitting/segmentation/spheres/find_spheres.h"
 #include "tests/support/scans.h"
 
 namespace {

@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 get_property(layers GLOBAL PROPERTY ARTCAL_LAYERS)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/artcal)
 
-# Outside, one writes <artcal/acquisition/sweep.h>; the headers themselves say "acquisition/arm.h", which
+# Outside, one writes <artcal/acquisition/arm/forward_kinematics.h>; the headers themselves say "acquisition/arm/arm.h", which
 # the header set's own destination serves.
 foreach(layer IN LISTS layers)
   target_include_directories(${layer} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)

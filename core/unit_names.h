@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/toml_document.h"
+#include "core/toml/toml_document.h"
 
 namespace artcal {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "fitting/row_reducer.h"
+#include "fitting/least_squares/row_reducer.h"
 #include "fitting/small_matrix.h"
 
 namespace artcal::fitting {

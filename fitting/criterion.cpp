@@ -3,9 +3,9 @@
 #include <type_traits>
 
 #include "fitting/known.h"
-#include "fitting/minimum_circumscribed.h"
-#include "fitting/minimum_zone_plane.h"
-#include "fitting/radial_zone.h"
+#include "fitting/minimum_zone/minimum_circumscribed.h"
+#include "fitting/minimum_zone/minimum_zone_plane.h"
+#include "fitting/minimum_zone/radial_zone.h"
 
 namespace artcal::fitting {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fitting/estimate.h"
+#include "fitting/least_squares/estimate.h"
 
 namespace artcal::fitting {
 

@@ -3,8 +3,8 @@
 #include <type_traits>
 
 #include "fitting/criterion.h"
-#include "fitting/fast_sphere.h"
 #include "fitting/known.h"
+#include "fitting/least_squares/fast_sphere.h"
 #include "fitting/options.h"
 #include "fitting/result.h"
 #include "fitting/tip.h"

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "fitting/estimate.h"
+#include "fitting/least_squares/estimate.h"
 #include "fitting/options.h"
 
 namespace artcal::fitting {

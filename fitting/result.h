@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "fitting/estimate.h"
+#include "fitting/least_squares/estimate.h"
 
 namespace artcal::fitting {
 

@@ -1,4 +1,4 @@
-#include "acquisition/arm_file.h"
+#include "acquisition/arm/arm_file.h"
 #include "fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

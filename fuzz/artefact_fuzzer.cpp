@@ -1,4 +1,4 @@
-#include "artefacts/artefact_file.h"
+#include "artefacts/artefact/artefact_file.h"
 
 #include "fuzz/check.h"
 

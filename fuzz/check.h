@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "acquisition/cloud_formats.h"
+#include "acquisition/point_cloud/cloud_formats.h"
 #include "tests/support/temporary_folder.h"
 
 namespace artcal::fuzzing {

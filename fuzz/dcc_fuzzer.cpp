@@ -1,9 +1,9 @@
-#include "artefacts/dcc_read.h"
-#include "artefacts/dcc_select.h"
+#include "artefacts/dcc/dcc_read.h"
+#include "artefacts/dcc/dcc_select.h"
 
 #include <cmath>
 
-#include "artefacts/dcc_length.h"
+#include "artefacts/dcc/dcc_length.h"
 #include "fuzz/check.h"
 
 // A certificate that is read: each of its quantities is one of lengths or refused in a sentence.

@@ -1,4 +1,4 @@
-#include "artefacts/simulation/plan_file.h"
+#include "artefacts/simulation/plan/plan_file.h"
 #include "fuzz/check.h"
 
 namespace {

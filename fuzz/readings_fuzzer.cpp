@@ -1,4 +1,4 @@
-#include "acquisition/readings_file.h"
+#include "acquisition/recording/readings_file.h"
 #include "core/units.h"
 #include "fuzz/check.h"
 

@@ -1,4 +1,4 @@
-#include "acquisition/recording_file.h"
+#include "acquisition/recording/recording_file.h"
 #include "fuzz/check.h"
 
 namespace {

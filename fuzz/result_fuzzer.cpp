@@ -1,8 +1,8 @@
 // A result given to artcal report or to artcal verify --against: shown, or refused in a sentence. The page around the
 // report, which holds nothing of the result but its markup and its figures, is left out.
-#include "app/earlier_values.h"
 #include "app/report/page.h"
 #include "app/report/report.h"
+#include "app/results/verification/earlier_values.h"
 #include "fuzz/check.h"
 
 std::string artcal::page_html(const Page& page) {

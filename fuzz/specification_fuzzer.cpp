@@ -1,4 +1,4 @@
-#include "artefacts/verification/specification_file.h"
+#include "artefacts/verification/decision/specification_file.h"
 #include "fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,4 +1,4 @@
-#include "app/monte_carlo_state.h"
+#include "app/results/uncertainty/monte_carlo_state.h"
 #include "fuzz/check.h"
 
 // A Monte Carlo's state that is read can be added to itself, asked, and written as what it was.

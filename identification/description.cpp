@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/selection.h"
+#include "identification/identifiability/selection.h"
 
 namespace artcal {
 

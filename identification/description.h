@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "identification/arm_fit.h"
-#include "identification/common_errors.h"
-#include "identification/preparation.h"
+#include "identification/least_squares/arm_fit.h"
+#include "identification/problem/preparation.h"
+#include "identification/uncertainty/correlated_errors.h"
 
 namespace artcal {
 

@@ -7,23 +7,23 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/tip_centres.h"
-#include "core/in_quotes.h"
+#include "acquisition/recording/tip_centres.h"
 #include "core/statistics.h"
-#include "identification/common_errors.h"
+#include "core/text/in_quotes.h"
+#include "identification/cross_validation/leave_out.h"
+#include "identification/cross_validation/placement_refit.h"
 #include "identification/description.h"
-#include "identification/goodness_of_fit.h"
-#include "identification/group_fit.h"
-#include "identification/influence.h"
-#include "identification/judgement.h"
-#include "identification/leave_out.h"
-#include "identification/outliers.h"
-#include "identification/parallel_axes.h"
-#include "identification/placement_refit.h"
-#include "identification/preparation.h"
-#include "identification/residual_search.h"
-#include "identification/solution_search.h"
-#include "identification/unmodelled_errors.h"
+#include "identification/evaluation/goodness_of_fit.h"
+#include "identification/evaluation/judgement.h"
+#include "identification/evaluation/outliers.h"
+#include "identification/evaluation/residual_diagnostics.h"
+#include "identification/identifiability/parallel_axes.h"
+#include "identification/initial/solution_search.h"
+#include "identification/models/group_fit.h"
+#include "identification/problem/preparation.h"
+#include "identification/uncertainty/correlated_errors.h"
+#include "identification/uncertainty/influence.h"
+#include "identification/uncertainty/unmodelled_errors.h"
 
 namespace artcal {
 namespace {

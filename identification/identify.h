@@ -7,15 +7,15 @@
 
 #include <Eigen/Core>
 
-#include "acquisition/recording.h"
-#include "artefacts/constraint.h"
+#include "acquisition/recording/recording.h"
+#include "artefacts/constraints/constraint.h"
 #include "core/error.h"
-#include "identification/alignment.h"
-#include "identification/coupling.h"
-#include "identification/evaluation.h"
-#include "identification/loss.h"
-#include "identification/model.h"
-#include "identification/model_study.h"
+#include "identification/evaluation/evaluation.h"
+#include "identification/identifiability/coupling.h"
+#include "identification/initial/alignment.h"
+#include "identification/models/model.h"
+#include "identification/models/model_study.h"
+#include "identification/problem/loss.h"
 #include "identification/progress.h"
 
 namespace artcal {
@@ -171,7 +171,8 @@ struct Identification {
   Alignment alignment = Alignment::None;  ///< the initial alignment that led to it
   int attempts = 1;                       ///< initial alignments tried until then
   std::vector<std::string> weak;          ///< parameters in the state Weak
-  std::vector<std::string> misfits;       ///< why it is no solution (accept_misfit only), see identification/misfit.h
+  std::vector<std::string>
+      misfits;  ///< why it is no solution (accept_misfit only), see identification/evaluation/misfit.h
   Model model;
   std::vector<FixedMember> fixed_members;
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made

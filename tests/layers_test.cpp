@@ -171,7 +171,7 @@ TEST(Layers, PublicHeadersShowOnlyEigenAndTheStandardLibrary) {
 TEST(Layers, TheCheckSeesTheProject) {
   EXPECT_GT(sources(fs::path(ARTCAL_SOURCE_DIR) / "core").size(), 10u);
   EXPECT_TRUE(public_headers(ARTCAL_SOURCE_DIR, "core").contains("core/error.h"));
-  EXPECT_TRUE(public_headers(ARTCAL_SOURCE_DIR, "acquisition").contains("acquisition/sweep.h"));
+  EXPECT_TRUE(public_headers(ARTCAL_SOURCE_DIR, "acquisition").contains("acquisition/arm/forward_kinematics.h"));
   EXPECT_FALSE(public_headers(ARTCAL_SOURCE_DIR, "core").contains("core/random.cpp"));
 }
 
@@ -193,21 +193,21 @@ TEST_F(PlantedMistakes, FoldersThatAreNotThereAreFine) {
 TEST_F(PlantedMistakes, WhatTheTableAllowsIsFine) {
   plant("core/a.h", "#pragma once\n#include <vector>\n");
   plant("fitting/b.cpp", "#include \"fitting/b.h\"\n#include \"core/a.h\"\n// #include \"app/x.h\"\n");
-  plant("artefacts/verification/c.cpp", "#include \"artefacts/artefact.h\"\n#include <ceres/ceres.h>\n");
+  plant("artefacts/verification/c.cpp", "#include \"artefacts/artefact/artefact.h\"\n#include <ceres/ceres.h>\n");
   plant("app/main.cpp", "#include \"artefacts/verification/c.h\"\n#include \"identification/i.h\"\n");
   EXPECT_THAT(layer_violations(folder_.path()), IsEmpty());
 }
 
 TEST_F(PlantedMistakes, UpwardIncludesAreFound) {
-  plant("core/a.h", "#pragma once\n\n#include \"acquisition/arm.h\"\n");
-  plant("fitting/b.cpp", "#include \"acquisition/arm.h\"\n");
-  plant("identification/c.cpp", "  #  include <artefacts/verification/decision.h>\n");
-  plant("artefacts/d.h", "#include \"artefacts/verification/decision.h\"\n");
+  plant("core/a.h", "#pragma once\n\n#include \"acquisition/arm/arm.h\"\n");
+  plant("fitting/b.cpp", "#include \"acquisition/arm/arm.h\"\n");
+  plant("identification/c.cpp", "  #  include <artefacts/verification/decision/decision.h>\n");
+  plant("artefacts/d.h", "#include \"artefacts/verification/decision/decision.h\"\n");
   plant("artefacts/verification/e.h", "#include \"identification/identify.h\"\n");
   EXPECT_THAT(
       layer_violations(folder_.path()),
-      ElementsAre("core/a.h:3: core/ may not include acquisition/ (acquisition/arm.h)",
-                  "fitting/b.cpp:1: fitting/ may not include acquisition/ (acquisition/arm.h)",
+      ElementsAre("core/a.h:3: core/ may not include acquisition/ (acquisition/arm/arm.h)",
+                  "fitting/b.cpp:1: fitting/ may not include acquisition/ (acquisition/arm/arm.h)",
                   HasSubstr("artefacts/d.h:1: artefacts/ may not include artefacts/verification/"),
                   HasSubstr("artefacts/verification/e.h:1: artefacts/verification/ may not include identif"),
                   HasSubstr("identification/c.cpp:1: identification/ may not include artefacts/verification/")));

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/cloud_limits.h"
-#include "core/file_access.h"
+#include "acquisition/point_cloud/cloud_limits.h"
+#include "core/files/file_access.h"
 
 namespace artcal {
 

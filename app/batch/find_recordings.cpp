@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "app/store/postgresql_url.h"
-#include "core/hash.h"
-#include "core/in_quotes.h"
+#include "core/files/hash.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "app/result_names.h"
-#include "app/standard_name.h"
+#include "app/results/result_names.h"
+#include "app/results/verification/standard_name.h"
 #include "app/store/stored_text.h"
 
 namespace artcal {

@@ -3,9 +3,9 @@
 #include <string_view>
 
 #include "app/version.h"
-#include "core/file_bytes.h"
-#include "core/hash.h"
-#include "core/size_limits.h"
+#include "core/files/file_bytes.h"
+#include "core/files/hash.h"
+#include "core/files/size_limits.h"
 
 namespace artcal {
 namespace {

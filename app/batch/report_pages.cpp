@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "app/output.h"
+#include "app/output/output.h"
 #include "app/report/page.h"
-#include "core/hash.h"
+#include "core/files/hash.h"
 
 namespace artcal {
 namespace {

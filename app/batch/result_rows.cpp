@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/arm_file.h"
-#include "app/coupling_json.h"
-#include "app/result_names.h"
+#include "acquisition/arm/arm_file.h"
+#include "app/results/identification/coupling_json.h"
+#include "app/results/result_names.h"
 #include "app/version.h"
-#include "artefacts/artefact_type.h"
-#include "core/hash.h"
+#include "artefacts/artefact/artefact_type.h"
+#include "core/files/hash.h"
 #include "core/statistics.h"
 
 namespace artcal {

@@ -5,19 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/recording_file.h"
+#include "acquisition/recording/recording_file.h"
 #include "app/batch/recording_key.h"
 #include "app/batch/result_rows.h"
-#include "app/identification_run.h"
-#include "app/model_asked.h"
-#include "app/phrases.h"
-#include "app/readings_json.h"
-#include "app/result_json.h"
-#include "app/verification_json.h"
-#include "app/verification_run.h"
-#include "artefacts/read_constraints.h"
-#include "core/in_quotes.h"
-#include "core/size_limits.h"
+#include "app/output/phrases.h"
+#include "app/requests/model_asked.h"
+#include "app/results/identification/identification_run.h"
+#include "app/results/identification/readings_json.h"
+#include "app/results/identification/result_json.h"
+#include "app/results/verification/verification_json.h"
+#include "app/results/verification/verification_run.h"
+#include "artefacts/constraints/read_constraints.h"
+#include "core/files/size_limits.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "app/phrases.h"
-#include "app/result_head.h"
+#include "app/output/phrases.h"
+#include "app/output/table.h"
+#include "app/results/result_head.h"
 #include "app/store/stored_text.h"
-#include "app/table.h"
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/arm_text.h"
+#include "acquisition/arm/arm_text.h"
 #include "app/history/store_reader.h"
-#include "app/result_names.h"
-#include "core/in_quotes.h"
+#include "app/results/result_names.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

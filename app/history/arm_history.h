@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "acquisition/arm.h"
+#include "acquisition/arm/arm.h"
 #include "app/history/length_change.h"
 #include "app/store/store.h"
 #include "artefacts/verification/interim.h"
@@ -59,7 +59,7 @@ struct ParameterChange {
 
 /// What changed between two calibrations of an arm. Parameters hang together: readings tell theta6 + a6/l, and which of
 /// the two takes what depends on the value at which the other is fixed. Therefore the later one is compared in the
-/// gauge of the earlier one (app/gauge.h), where there is such a statement of it.
+/// gauge of the earlier one (app/results/verification/gauge.h), where there is such a statement of it.
 struct CalibrationStep {
   std::size_t then = 0, now = 0;  ///< into ArmHistory::calibrations
   std::string not_comparable;     ///< why not; empty where it is

@@ -6,8 +6,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "app/gauge.h"
 #include "app/history/arm_history.h"
+#include "app/results/verification/gauge.h"
 #include "core/statistics.h"
 
 namespace artcal {

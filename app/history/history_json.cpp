@@ -2,8 +2,8 @@
 
 #include "app/history/history_text.h"
 #include "app/history/over_time.h"
-#include "app/result_head.h"
-#include "app/result_names.h"
+#include "app/results/result_head.h"
+#include "app/results/result_names.h"
 #include "core/statistics.h"
 
 namespace artcal {

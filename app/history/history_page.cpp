@@ -9,7 +9,7 @@
 #include "app/report/numbers.h"
 #include "app/report/page.h"
 #include "app/report/sheet.h"
-#include "app/standard_name.h"
+#include "app/results/verification/standard_name.h"
 #include "app/version.h"
 
 namespace artcal {

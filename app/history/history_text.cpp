@@ -9,10 +9,10 @@
 
 #include "app/history/over_time.h"
 #include "app/history/what_changed.h"
-#include "app/shown_unit.h"
-#include "app/standard_name.h"
-#include "app/table.h"
-#include "core/in_quotes.h"
+#include "app/output/table.h"
+#include "app/results/shown_unit.h"
+#include "app/results/verification/standard_name.h"
+#include "core/text/in_quotes.h"
 #include "core/units.h"
 
 namespace artcal {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "acquisition/sweep.h"
+#include "acquisition/arm/forward_kinematics.h"
 #include "core/random.h"
 
 namespace artcal {

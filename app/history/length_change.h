@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "acquisition/arm.h"
+#include "acquisition/arm/arm.h"
 
 namespace artcal {
 

@@ -7,10 +7,10 @@
 
 #include "app/history/drift_sections.h"
 #include "app/history/time_labels.h"
-#include "app/phrases.h"
-#include "app/report/change_table.h"
+#include "app/output/phrases.h"
 #include "app/report/numbers.h"
-#include "app/shown_unit.h"
+#include "app/report/sections/change_table.h"
+#include "app/results/shown_unit.h"
 #include "core/units.h"
 
 namespace artcal {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/covariance_matrix.h"
-#include "app/json_file.h"
-#include "core/in_quotes.h"
+#include "acquisition/arm/covariance_matrix.h"
+#include "app/output/json_file.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

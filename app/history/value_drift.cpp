@@ -8,10 +8,10 @@
 #include "app/history/drift_sections.h"
 #include "app/history/over_time.h"
 #include "app/history/time_labels.h"
-#include "app/phrases.h"
+#include "app/output/phrases.h"
 #include "app/report/numbers.h"
-#include "app/report/test_values.h"
-#include "app/standard_name.h"
+#include "app/report/sections/test_values.h"
+#include "app/results/verification/standard_name.h"
 #include "core/statistics.h"
 #include "core/units.h"
 

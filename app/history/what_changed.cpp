@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "app/standard_name.h"
-#include "core/in_quotes.h"
+#include "app/results/verification/standard_name.h"
+#include "core/text/in_quotes.h"
 #include "core/units.h"
 
 namespace artcal {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal::html {
 namespace {

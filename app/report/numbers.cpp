@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 #include "core/units.h"
 
 namespace artcal::numbers {

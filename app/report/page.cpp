@@ -10,8 +10,8 @@
 #include "app/report/html.h"
 #include "app/report/web_files.h"
 #include "app/version.h"
-#include "core/hash.h"
-#include "core/in_quotes.h"
+#include "core/files/hash.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

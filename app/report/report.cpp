@@ -5,14 +5,14 @@
 
 #include <fmt/format.h>
 
-#include "app/report/drift.h"
-#include "app/report/identification_section.h"
-#include "app/report/monte_carlo_section.h"
 #include "app/report/numbers.h"
-#include "app/report/provenance.h"
-#include "app/report/uncertainty_section.h"
-#include "app/report/verification_section.h"
-#include "core/in_quotes.h"
+#include "app/report/sections/drift.h"
+#include "app/report/sections/identification_section.h"
+#include "app/report/sections/monte_carlo_section.h"
+#include "app/report/sections/provenance.h"
+#include "app/report/sections/uncertainty_section.h"
+#include "app/report/sections/verification_section.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

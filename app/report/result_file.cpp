@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "app/json_file.h"
-#include "artefacts/verification/specification.h"
-#include "core/in_quotes.h"
-#include "core/size_limits.h"
-#include "core/text_file.h"
+#include "app/output/json_file.h"
+#include "artefacts/verification/decision/specification.h"
+#include "core/files/size_limits.h"
+#include "core/files/text_file.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

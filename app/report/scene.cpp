@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "app/phrases.h"
+#include "app/output/phrases.h"
 #include "app/report/numbers.h"
 #include "app/report/thinning.h"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/readings.h"
+#include "app/report/sections/readings.h"
 #include "app/report/sheet.h"
 
 namespace artcal {

@@ -13,7 +13,7 @@
 
 #include "app/store/stored_text.h"
 #include "app/store/where.h"
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/store/database.h"
-#include "core/input_file.h"
+#include "core/files/input_file.h"
 
 namespace artcal {
 

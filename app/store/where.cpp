@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/store/postgresql_url.h"
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/simulation/plan_arm.h"
+#include "artefacts/simulation/plan/plan_arm.h"
 
 namespace artcal {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "artefacts/simulation/plan.h"
+#include "artefacts/simulation/plan/plan.h"
 
 namespace artcal {
 

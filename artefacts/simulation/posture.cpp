@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "acquisition/sweep.h"
-#include "artefacts/postures.h"
+#include "acquisition/arm/forward_kinematics.h"
+#include "artefacts/virtual_probing/postures.h"
 
 namespace artcal {
 namespace {

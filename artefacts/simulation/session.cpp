@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "acquisition/sweep.h"
+#include "acquisition/arm/forward_kinematics.h"
 #include "artefacts/simulation/pattern.h"
 #include "artefacts/simulation/posture.h"
 #include "core/random.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "artefacts/simulation/plan.h"
+#include "artefacts/simulation/plan/plan.h"
 #include "artefacts/simulation/true_artefact.h"
 #include "artefacts/simulation/virtual_arm.h"
 #include "core/rigid.h"

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "acquisition/sweep.h"
+#include "acquisition/arm/forward_kinematics.h"
 #include "artefacts/simulation/posture.h"
 #include "artefacts/simulation/session.h"
 #include "artefacts/simulation/simulated_scans.h"
 #include "artefacts/simulation/true_arm.h"
-#include "core/in_quotes.h"
 #include "core/parallel.h"
+#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/recording.h"
-#include "artefacts/simulation/plan.h"
+#include "acquisition/recording/recording.h"
+#include "artefacts/simulation/plan/plan.h"
 #include "artefacts/simulation/true_artefact.h"
 #include "core/error.h"
 

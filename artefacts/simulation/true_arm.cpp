@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "acquisition/parameters.h"
+#include "acquisition/arm/parameters.h"
 #include "core/random.h"
 
 namespace artcal {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "artefacts/simulation/plan.h"
+#include "artefacts/simulation/plan/plan.h"
 #include "core/error.h"
 #include "core/random.h"
 

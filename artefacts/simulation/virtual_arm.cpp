@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "acquisition/sweep.h"
+#include "acquisition/arm/forward_kinematics.h"
 
 namespace artcal {
 

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "acquisition/arm.h"
+#include "acquisition/arm/arm.h"
 
 namespace artcal {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <Eigen/QR>
 
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 #include "fitting/fit.h"
 
 namespace artcal {

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "acquisition/recording.h"
+#include "acquisition/recording/recording.h"
 
 namespace artcal {
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "core/in_quotes.h"
+#include "core/text/in_quotes.h"
 #include "fitting/fit.h"
 
 namespace artcal {

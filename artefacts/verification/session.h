@@ -1,10 +1,10 @@
 #pragma once
 
-#include "acquisition/recording.h"
-#include "acquisition/tip_centres.h"
-#include "artefacts/constraint.h"
-#include "artefacts/verification/budget.h"
-#include "artefacts/verification/specification.h"
+#include "acquisition/recording/recording.h"
+#include "acquisition/recording/tip_centres.h"
+#include "artefacts/constraints/constraint.h"
+#include "artefacts/verification/decision/budget.h"
+#include "artefacts/verification/decision/specification.h"
 
 namespace artcal {
 

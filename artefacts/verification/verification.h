@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "artefacts/artefact.h"
-#include "artefacts/verification/budget.h"
-#include "artefacts/verification/decision.h"
+#include "artefacts/artefact/artefact.h"
+#include "artefacts/verification/decision/budget.h"
+#include "artefacts/verification/decision/decision.h"
+#include "artefacts/verification/decision/specification.h"
 #include "artefacts/verification/place.h"
 #include "artefacts/verification/point_scatter.h"
-#include "artefacts/verification/specification.h"
 
 namespace artcal {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "artefacts/verification/b89_4_22.h"
+#include "artefacts/verification/b89_4_22/b89_4_22.h"
 #include "artefacts/verification/interim.h"
-#include "artefacts/verification/iso10360_12.h"
-#include "artefacts/verification/sphere_plate.h"
+#include "artefacts/verification/iso10360_12/iso10360_12.h"
+#include "artefacts/verification/sphere_plate/sphere_plate.h"
 
 namespace artcal {
 

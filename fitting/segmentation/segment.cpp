@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "core/point_text.h"
+#include "core/text/point_text.h"
 
 namespace artcal {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "fitting/segmentation/find_planes.h"
-#include "fitting/segmentation/find_spheres.h"
-#include "fitting/segmentation/match.h"
+#include "fitting/segmentation/pattern/match.h"
+#include "fitting/segmentation/planes/find_planes.h"
+#include "fitting/segmentation/spheres/find_spheres.h"
 
 namespace artcal {
 

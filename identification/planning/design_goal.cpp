@@ -4,7 +4,7 @@
 
 #include "artefacts/simulation/posture.h"
 #include "core/random.h"
-#include "identification/uncertain_arm.h"
+#include "identification/uncertainty/uncertain_arm.h"
 
 namespace artcal {
 

@@ -2,10 +2,10 @@
 
 #include <map>
 
-#include "identification/rows.h"
-#include "identification/settle.h"
-#include "identification/triangular_factor.h"
-#include "identification/weights.h"
+#include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/rows.h"
+#include "identification/least_squares/triangular_factor.h"
+#include "identification/problem/weights.h"
 
 namespace artcal {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "artefacts/constraint.h"
-#include "identification/system.h"
+#include "artefacts/constraints/constraint.h"
+#include "identification/problem/system.h"
 
 namespace artcal {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/random.h"
-#include "identification/triangular_factor.h"
+#include "identification/least_squares/triangular_factor.h"
 
 namespace artcal {
 namespace {

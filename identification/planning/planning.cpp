@@ -11,14 +11,14 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "identification/linearisation.h"
+#include "identification/identifiability/selection.h"
+#include "identification/identifiability/svd.h"
+#include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/linearisation.h"
+#include "identification/least_squares/triangular_factor.h"
 #include "identification/planning/design_pool.h"
 #include "identification/planning/exchange.h"
-#include "identification/selection.h"
-#include "identification/settle.h"
-#include "identification/svd.h"
-#include "identification/triangular_factor.h"
-#include "identification/weights.h"
+#include "identification/problem/weights.h"
 
 namespace artcal {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "artefacts/constraint.h"
+#include "artefacts/constraints/constraint.h"
 #include "artefacts/simulation/simulate.h"
 #include "core/error.h"
-#include "identification/coupling.h"
-#include "identification/observability.h"
+#include "identification/identifiability/coupling.h"
+#include "identification/identifiability/observability.h"
 #include "identification/planning/goal.h"
 
 namespace artcal {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "acquisition/point_cloud.h"
+#include "acquisition/point_cloud/point_cloud.h"
 
 namespace artcal {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "artefacts/artefact_file.h"
+#include "artefacts/artefact/artefact_file.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "artefacts/artefact_file.h"
-#include "artefacts/artefact_type.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "artefacts/artefact/artefact_type.h"
 
 namespace artcal {
 namespace {

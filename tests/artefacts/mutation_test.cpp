@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "artefacts/artefact_file.h"
-#include "artefacts/dcc_length.h"
-#include "artefacts/dcc_read.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "artefacts/dcc/dcc_length.h"
+#include "artefacts/dcc/dcc_read.h"
 #include "tests/support/damage.h"
 #include "tests/support/temporary_folder.h"
 

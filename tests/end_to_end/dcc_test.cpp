@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "artefacts/dcc_read.h"
-#include "artefacts/dcc_select.h"
+#include "artefacts/dcc/dcc_read.h"
+#include "artefacts/dcc/dcc_select.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/example_recording.h"
 

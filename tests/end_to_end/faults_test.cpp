@@ -6,7 +6,7 @@
 #include <sqlite3.h>
 #include <nlohmann/json.hpp>
 
-#include "acquisition/recording_file.h"
+#include "acquisition/recording/recording_file.h"
 #include "tests/end_to_end/archive.h"
 
 namespace artcal {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "core/hash.h"
+#include "core/files/hash.h"
 #include "tests/end_to_end/program.h"
 
 namespace artcal {

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "acquisition/arm_file.h"
-#include "acquisition/parameters.h"
-#include "core/hash.h"
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/arm/parameters.h"
+#include "core/files/hash.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/example_recording.h"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "acquisition/arm_file.h"
+#include "acquisition/arm/arm_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/arm_scans.h"
 #include "tests/support/example_recording.h"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "artefacts/artefact_file.h"
+#include "artefacts/artefact/artefact_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/example_recording.h"
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "fitting/cloud.h"
-#include "fitting/round_models.h"
-#include "fitting/row_reducer.h"
+#include "fitting/least_squares/round_models.h"
+#include "fitting/least_squares/row_reducer.h"
 #include "tests/fitting/shapes.h"
 
 namespace artcal::test {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "acquisition/point_cloud.h"
+#include "acquisition/point_cloud/point_cloud.h"
 #include "core/units.h"
 #include "fitting/fit.h"
 

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "acquisition/point_cloud.h"
-#include "fitting/robust.h"
+#include "acquisition/point_cloud/point_cloud.h"
+#include "fitting/robust/robust.h"
 
 namespace artcal {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "acquisition/arm_file.h"
+#include "acquisition/arm/arm_file.h"
 #include "tests/support/recordings.h"
 #include "tests/support/simulated_session.h"
 

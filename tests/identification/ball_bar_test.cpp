@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "acquisition/arm_file.h"
-#include "acquisition/sweep.h"
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/arm/forward_kinematics.h"
 #include "core/random.h"
 #include "tests/support/recordings.h"
 

@@ -3,9 +3,9 @@
 // tests/reference/aacmm-simulated, judged by lengths in the volume.
 #include <gtest/gtest.h>
 
-#include "acquisition/arm_file.h"
-#include "identification/residual.h"
-#include "identification/settle.h"
+#include "acquisition/arm/arm_file.h"
+#include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/residual.h"
 #include "tests/support/recordings.h"
 #include "tests/support/simulated_session.h"
 

@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 #include <Eigen/SVD>
 
-#include "acquisition/sweep.h"
-#include "identification/coupling.h"
-#include "identification/lost_text.h"
-#include "identification/observability.h"
-#include "identification/problem.h"
-#include "identification/weights.h"
+#include "acquisition/arm/forward_kinematics.h"
+#include "identification/identifiability/coupling.h"
+#include "identification/identifiability/observability.h"
+#include "identification/identifiability/unidentifiable_text.h"
+#include "identification/least_squares/problem.h"
+#include "identification/problem/weights.h"
 #include "tests/support/recordings.h"
 
 namespace artcal {

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
 
-#include "acquisition/sweep.h"
-#include "artefacts/virtual_probing.h"
+#include "acquisition/arm/forward_kinematics.h"
+#include "artefacts/virtual_probing/virtual_probing.h"
 #include "core/random.h"
-#include "identification/selection.h"
+#include "identification/identifiability/selection.h"
 #include "tests/support/recordings.h"
 
 namespace artcal {

@@ -1,6 +1,6 @@
 // Monte Carlo of arms that are more than a chain: each group's parameters against first order, against whole
 // identifications of readings drawn by the independent equations, and to the bit.
-#include "identification/monte_carlo.h"
+#include "identification/monte_carlo/monte_carlo.h"
 
 #include <cmath>
 #include <map>

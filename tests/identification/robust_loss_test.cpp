@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "artefacts/virtual_probing.h"
+#include "artefacts/virtual_probing/virtual_probing.h"
 #include "core/random.h"
 #include "identification/identify.h"
 #include "tests/support/recordings.h"

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "identification/coupling.h"
-#include "identification/linearisation.h"
-#include "identification/settle.h"
-#include "identification/start.h"
-#include "identification/weights.h"
+#include "identification/identifiability/coupling.h"
+#include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/linearisation.h"
+#include "identification/problem/start.h"
+#include "identification/problem/weights.h"
 #include "tests/support/recordings.h"
 
 namespace artcal {

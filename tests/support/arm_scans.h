@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include "acquisition/arm.h"
-#include "artefacts/postures.h"
+#include "acquisition/arm/arm.h"
+#include "artefacts/virtual_probing/postures.h"
 #include "core/random.h"
 #include "tests/support/arms.h"
 

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <string>
 
-#include "acquisition/arm.h"
+#include "acquisition/arm/arm.h"
 
 namespace artcal::test {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "acquisition/point_cloud.h"
+#include "acquisition/point_cloud/point_cloud.h"
 #include "tests/support/temporary_folder.h"
 
 namespace artcal::testing {

@@ -8,11 +8,11 @@
 
 #include <Eigen/Geometry>
 
-#include "acquisition/arm.h"
-#include "acquisition/parameters.h"
+#include "acquisition/arm/arm.h"
+#include "acquisition/arm/parameters.h"
 
 /// The arm's equations a second time, so that the sweep can be held against them: 4×4 matrices multiplied
-/// exactly as acquisition/arm.h writes them, for any scalar (double, long double, ceres::Jet). Nothing
+/// exactly as acquisition/arm/arm.h writes them, for any scalar (double, long double, ceres::Jet). Nothing
 /// here is taken from the sweep.
 namespace artcal::testing {
 

@@ -10,8 +10,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "acquisition/parameters.h"
-#include "artefacts/virtual_probing.h"
+#include "acquisition/arm/parameters.h"
+#include "artefacts/virtual_probing/virtual_probing.h"
 #include "tests/support/forward_kinematics.h"
 
 /// What readings can tell of an arm, a second time: forward kinematics by 4×4 matrices, derivatives by automatic

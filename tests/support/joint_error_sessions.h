@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/units.h"
-#include "identification/model.h"
+#include "identification/models/model.h"
 #include "tests/support/recordings.h"
 #include "tests/support/simulated_session.h"
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "artefacts/simulation/plan.h"
+#include "artefacts/simulation/plan/plan.h"
 #include "core/units.h"
 #include "tests/support/arms.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/arm.h"
+#include "acquisition/arm/arm.h"
 #include "core/random.h"
 
 namespace artcal::testing {

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "acquisition/recording_file.h"
-#include "artefacts/constraint.h"
+#include "acquisition/recording/recording_file.h"
+#include "artefacts/constraints/constraint.h"
 #include "identification/identify.h"
 #include "tests/support/arms.h"
 

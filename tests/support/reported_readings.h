@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/recording.h"
-#include "artefacts/artefact.h"
-#include "artefacts/constraint.h"
+#include "acquisition/recording/recording.h"
+#include "artefacts/artefact/artefact.h"
+#include "artefacts/constraints/constraint.h"
 #include "artefacts/verification/session.h"
 #include "core/random.h"
 #include "core/rigid.h"

@@ -9,8 +9,8 @@
 
 #include <Eigen/Dense>
 
-#include "acquisition/recording.h"
-#include "artefacts/artefact.h"
+#include "acquisition/recording/recording.h"
+#include "artefacts/artefact/artefact.h"
 #include "core/random.h"
 #include "core/rigid.h"
 #include "tests/support/arms.h"

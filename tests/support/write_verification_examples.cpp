@@ -7,9 +7,9 @@
 #include <fmt/os.h>
 #include <Eigen/Geometry>
 
-#include "acquisition/arm_file.h"
-#include "artefacts/artefact_file.h"
-#include "artefacts/postures.h"
+#include "acquisition/arm/arm_file.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "artefacts/virtual_probing/postures.h"
 #include "core/units.h"
 #include "tests/support/reported_readings.h"
 

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "acquisition/point_cloud.h"
-#include "acquisition/recording_file.h"
-#include "app/json_file.h"
-#include "artefacts/artefact_file.h"
-#include "artefacts/dcc_read.h"
-#include "artefacts/dcc_select.h"
-#include "core/toml_document.h"
+#include "acquisition/point_cloud/point_cloud.h"
+#include "acquisition/recording/recording_file.h"
+#include "app/output/json_file.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "artefacts/dcc/dcc_read.h"
+#include "artefacts/dcc/dcc_select.h"
+#include "core/toml/toml_document.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/work/step_count.h"
 

@@ -9,14 +9,14 @@
 
 #include <gmock/gmock.h>
 
-#include "acquisition/recording_file.h"
-#include "acquisition/tip_centres.h"
-#include "app/readings_json.h"
-#include "app/result_head.h"
-#include "app/result_json.h"
-#include "app/verification_json.h"
-#include "artefacts/constraint.h"
-#include "artefacts/verification/specification_file.h"
+#include "acquisition/recording/recording_file.h"
+#include "acquisition/recording/tip_centres.h"
+#include "app/results/identification/readings_json.h"
+#include "app/results/identification/result_json.h"
+#include "app/results/result_head.h"
+#include "app/results/verification/verification_json.h"
+#include "artefacts/constraints/constraint.h"
+#include "artefacts/verification/decision/specification_file.h"
 #include "artefacts/verification/verify.h"
 #include "identification/identify.h"
 #include "tests/support/temporary_folder.h"

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "acquisition/point_cloud.h"
-#include "fitting/segmentation/find_spheres.h"
+#include "acquisition/point_cloud/point_cloud.h"
+#include "fitting/segmentation/spheres/find_spheres.h"
 
 namespace artcal {
 namespace {

@@ -1,7 +1,7 @@
 // A program of somebody else: where is the tip of a two-joint arm?
-#include <artcal/acquisition/arm_file.h>
-#include <artcal/acquisition/recording_file.h>
-#include <artcal/acquisition/sweep.h>
+#include <artcal/acquisition/arm/arm_file.h>
+#include <artcal/acquisition/arm/forward_kinematics.h>
+#include <artcal/acquisition/recording/recording_file.h>
 #include <artcal/core/random.h>
 #include <artcal/identification/identify.h>
 

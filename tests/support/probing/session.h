@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "artefacts/artefact.h"
-#include "artefacts/constraint.h"
+#include "artefacts/artefact/artefact.h"
+#include "artefacts/constraints/constraint.h"
 #include "tests/support/probing/chain.h"
 
 namespace artcal::probing {

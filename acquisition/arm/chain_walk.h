@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+
+#include "acquisition/arm/forward_kinematics.h"
+
+/// The insides of the sweep that its source files share.
+namespace artcal {
+
+/// The axes one joint turns or slides on, in the base frame.
+struct Sweep::Frame {
+  Eigen::Vector3d z, z_at;  // θ about z through z_at, d along z
+  Eigen::Vector3d x, x_at;  // α about x through x_at, a along x
+  Eigen::Vector3d y;        // β about y through x_at
+};
+
+/// Of all joints, and after them the last frame's axes.
+struct Sweep::Frames {
+  std::array<Frame, max_joints + 1> at;
+};
+
+inline void put(double* derivative, int column, const Eigen::Vector3d& value) {
+  if (column >= 0) {
+    double* out = derivative + 3 * static_cast<std::ptrdiff_t>(column);
+    out[0] = value.x();
+    out[1] = value.y();
+    out[2] = value.z();
+  }
+}
+
+// In the middle of the hottest loop there is; a call would cost as much as the turn.
+[[gnu::always_inline]] inline void turn(Eigen::Vector3d& first, Eigen::Vector3d& second, double sine, double cosine) {
+  const Eigen::Vector3d turned = cosine * first + sine * second;
+  second = cosine * second - sine * first;
+  first = turned;
+}
+
+/// Links that stay as they are: no multiplication in the hottest loop.
+struct NoGrowth {
+  double operator()(std::size_t /*link*/, double length) const { return length; }
+};
+
+/// Walks the chain outwards; `visit(i, frame)` sees the axes of joint i, `visit(n, last)` the last frame's.
+/// Returns the tip. `growth(i, length)` is how long a length of link i is.
+template <typename Growth, typename Visit>
+[[gnu::always_inline]] inline Eigen::Vector3d Sweep::walk(const double* sines, Growth growth, Visit&& visit) const {
+  Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d y = Eigen::Vector3d::UnitY();
+  Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  Frame frame;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const double a = growth(i, link.a);
+    const double d = growth(i, link.d);
+    const double sin_q = link.sign * sines[2 * i];
+    const double cos_q = sines[2 * i + 1];
+    const double sine = link.sin_theta * cos_q + link.cos_theta * sin_q;
+    const double cosine = link.cos_theta * cos_q - link.sin_theta * sin_q;
+    if (convention_ == Convention::Standard) {
+      frame.z = z;
+      frame.z_at = p;
+      turn(x, y, sine, cosine);
+      p += d * z + a * x;
+      frame.x = x;
+      frame.x_at = p;
+      turn(y, z, link.sin_alpha, link.cos_alpha);
+      frame.y = y;
+      if (link.has_beta) {
+        turn(z, x, link.sin_beta, link.cos_beta);
+      }
+    } else {
+      frame.x = x;
+      turn(y, z, link.sin_alpha, link.cos_alpha);
+      p += a * x;
+      frame.x_at = p;
+      frame.y = y;
+      if (link.has_beta) {
+        turn(z, x, link.sin_beta, link.cos_beta);
+      }
+      frame.z = z;
+      frame.z_at = p;
+      turn(x, y, sine, cosine);
+      p += d * z;
+    }
+    visit(i, frame);
+  }
+  visit(links_.size(), Frame{z, p, x, p, y});
+  const std::size_t last = links_.size() - 1;
+  return p +
+         (growth(last, tip_in_last_.x()) * x + growth(last, tip_in_last_.y()) * y + growth(last, tip_in_last_.z()) * z);
+}
+
+}  // namespace artcal

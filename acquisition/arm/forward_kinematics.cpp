@@ -1,0 +1,147 @@
+#include "acquisition/arm/forward_kinematics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "acquisition/arm/chain_walk.h"
+#include "acquisition/arm/joint_error_kinematics.h"
+
+namespace artcal {
+namespace {
+
+bool has_errors(const JointErrors& errors) {
+  return errors.cosine != std::array<double, 2>{} || errors.sine != std::array<double, 2>{} || errors.gain != 0.0 ||
+         errors.coupling != 0.0 || errors.compliance != 0.0 || errors.expansion != 0.0;
+}
+
+bool asks_for_errors(const std::vector<Parameter>& parameters) {
+  return std::any_of(parameters.begin(), parameters.end(),
+                     [](const Parameter& parameter) { return parameter.is_joint_error(); });
+}
+
+}  // namespace
+
+void joint_sines(std::span<const double> q, std::span<double> sines) {
+  assert(sines.size() == 2 * q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    sines[2 * i] = std::sin(q[i]);
+    sines[2 * i + 1] = std::cos(q[i]);
+  }
+}
+
+Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
+    : convention_(arm.convention),
+      reference_temperature_(arm.reference_temperature),
+      tip_in_last_(arm.probes[probe].tip_in_last),
+      tip_radius_(arm.probes[probe].radius),
+      columns_(static_cast<int>(parameters.size())) {
+  assert(static_cast<int>(arm.joints.size()) <= max_joints);
+  bool errors = asks_for_errors(parameters);
+  for (const Joint& joint : arm.joints) {
+    links_.push_back({joint.a, joint.d, joint.sign, std::sin(joint.theta), std::cos(joint.theta), std::sin(joint.alpha),
+                      std::cos(joint.alpha), std::sin(joint.beta), std::cos(joint.beta),
+                      joint.has_beta || joint.beta != 0.0, -1, -1, -1, -1, -1});
+    errors = errors || artcal::has_errors(joint.errors);
+  }
+  for (std::size_t i = 0; errors && i < arm.joints.size(); ++i) {
+    const Joint& joint = arm.joints[i];
+    errors_.push_back({joint.errors, joint.mass.value_or(0.0) * arm.gravity_in_base, {}});
+    errors_.back().columns.fill(-1);
+    sags_ = sags_ || joint.errors.compliance != 0.0;
+  }
+  for (int column = 0; column < columns_; ++column) {
+    const Parameter& parameter = parameters[column];
+    if (parameter.is_tip()) {
+      if (parameter.owner == probe) {
+        column_tip_[static_cast<int>(parameter.kind) - static_cast<int>(ParameterKind::TipX)] = column;
+      }
+      continue;
+    }
+    if (parameter.kind == ParameterKind::Radius) {
+      column_radius_ = parameter.owner == probe ? column : column_radius_;
+      continue;
+    }
+    if (parameter.is_joint_error()) {
+      const int kind = static_cast<int>(parameter.kind) - static_cast<int>(ParameterKind::Cosine1);
+      errors_[parameter.owner].columns[kind] = column;
+      sags_ = sags_ || parameter.kind == ParameterKind::Compliance;
+      continue;
+    }
+    Link& link = links_[parameter.owner];
+    switch (parameter.kind) {
+      case ParameterKind::A: link.column_a = column; break;
+      case ParameterKind::D: link.column_d = column; break;
+      case ParameterKind::Theta: link.column_theta = column; break;
+      case ParameterKind::Alpha: link.column_alpha = column; break;
+      default: link.column_beta = column; break;
+    }
+  }
+}
+
+Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  const auto nothing = [](std::size_t, const Frame&) {};
+  if (has_errors()) {
+    const Posture posture = posture_of(reading);
+    return walk(posture.sines.data(), posture.grown(), nothing);
+  }
+  return walk(reading.sines.data(), NoGrowth(), nothing);
+}
+
+Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading, double* derivative) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  Eigen::Map<Eigen::Matrix3Xd>(derivative, 3, columns_).setZero();
+  if (has_errors()) {
+    return put_with_errors(reading, derivative);
+  }
+  std::array<Frame, max_joints + 1> frames;
+  const Eigen::Vector3d tip =
+      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const Link& link = links_[i];
+    const Frame& frame = frames[i];
+    put(derivative, link.column_a, frame.x);
+    put(derivative, link.column_d, frame.z);
+    put(derivative, link.column_theta, frame.z.cross(tip - frame.z_at));
+    put(derivative, link.column_alpha, frame.x.cross(tip - frame.x_at));
+    if (link.has_beta) {
+      put(derivative, link.column_beta, frame.y.cross(tip - frame.x_at));
+    }
+  }
+  const Frame& last = frames[links_.size()];
+  put(derivative, column_tip_[0], last.x);
+  put(derivative, column_tip_[1], last.y);
+  put(derivative, column_tip_[2], last.z);
+  return tip;
+}
+
+Eigen::Vector3d Sweep::tip_by_joints(const JointSines& reading, double* derivative) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  if (has_errors()) {
+    return put_by_joints_with_errors(reading, derivative);
+  }
+  std::array<Frame, max_joints + 1> frames;
+  const Eigen::Vector3d tip =
+      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    put(derivative, static_cast<int>(i), links_[i].sign * frames[i].z.cross(tip - frames[i].z_at));
+  }
+  return tip;
+}
+
+Eigen::Vector3d Sweep::axes_in_base(const JointSines& reading, double* directions, double* points) const {
+  assert(reading.sines.size() == 2 * links_.size());
+  const auto note = [&](std::size_t i, const Frame& frame) {
+    if (i < links_.size()) {
+      put(directions, static_cast<int>(i), frame.z);
+      put(points, static_cast<int>(i), frame.z_at);
+    }
+  };
+  if (has_errors()) {
+    const Posture posture = posture_of(reading);
+    return walk(posture.sines.data(), posture.grown(), note);
+  }
+  return walk(reading.sines.data(), NoGrowth(), note);
+}
+
+}  // namespace artcal

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "acquisition/arm/arm.h"
+#include "acquisition/arm/parameters.h"
+
+namespace artcal {
+
+struct WeighedChain;
+
+/// What a sweep needs to know of one reading.
+struct JointSines {
+  /// Sine and cosine of the joint angles, interleaved: sin q1, cos q1, sin q2, … They do not depend on the arm's
+  /// parameters, so a recording computes them once and no iteration asks libm again.
+  std::span<const double> sines;
+  std::span<const double> q;  ///< the angles, rad; arms with gains or couplings need them, whole turns and all
+  /// Of the arm, °C; arms that expand need it. NaN: the arm's reference.
+  double temperature = std::numeric_limits<double>::quiet_NaN();
+
+  template <typename Numbers>
+  requires std::convertible_to<const Numbers&, std::span<const double>> JointSines(const Numbers& sines_of_q)
+      : sines(sines_of_q) {}
+  JointSines(std::span<const double> sines_of_q, std::span<const double> angles,
+             double of_arm = std::numeric_limits<double>::quiet_NaN())
+      : sines(sines_of_q), q(angles), temperature(of_arm) {}
+};
+
+/// Fills `sines` (2·n numbers) from joint readings `q` (n numbers, rad).
+void joint_sines(std::span<const double> q, std::span<double> sines);
+
+/// The tip of an arm as a function of its joint readings, and its derivatives by every parameter, in one
+/// pass out along the chain and no allocation. The arm is copied into the numbers the
+/// pass needs; a Sweep is const afterwards and may be shared between threads.
+///
+/// Derivatives (Gao 2013 §3; domain: P the tip, p(i) the origin, x(i), y(i), z(i) the axes of frame i):
+///   standard: ∂P/∂θi = z(i-1) × (P − p(i-1)),  ∂P/∂di = z(i-1),  ∂P/∂ai = x(i),
+///             ∂P/∂αi = x(i) × (P − p(i)),       ∂P/∂βi = y(i) × (P − p(i))
+///   modified: the same with the axes where Craig has them: α and a along x(i-1), β about the y axis
+///             after both, θ and d along z(i).
+///   tip:      ∂P/∂(lx, ly, lz) = x(n), y(n), z(n); ∂P/∂radius = 0.
+/// An arm with joint errors (JointErrors) is swept at the angles q' that they lead to, with one or two passes more.
+/// What turns a joint has the column of its θ times that turn. Where joints give way to gravity, ∂P counts the
+/// change of their torque too: with φi = θi + sign·q'i the joint angles, K the compliances and B = 1 − K·∂τ/∂φ,
+///             dP = ∂P + (∂P/∂φ)·B⁻¹·(∂φ + K·∂τ),  ∂ at the angles held.
+class Sweep {
+ public:
+  /// Columns of the derivative are the `parameters`, which are parameters of the arm or a selection.
+  Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe);
+
+  [[nodiscard]] int joint_count() const { return static_cast<int>(links_.size()); }
+  [[nodiscard]] int column_count() const { return columns_; }
+  /// Radius of the probe's tip, mm, and its column among the parameters, or -1.
+  [[nodiscard]] double tip_radius() const { return tip_radius_; }
+  [[nodiscard]] int radius_column() const { return column_radius_; }
+
+  /// The tip's centre in the base frame, mm. REQUIRES: reading.sines.size() == 2·joint_count(); reading.q, of an arm
+  /// with gains or couplings or with columns for them.
+  [[nodiscard]] Eigen::Vector3d tip_in_base(const JointSines& reading) const;
+
+  /// The same, and its derivative by the parameters: `derivative` is 3 × column_count(), column-major,
+  /// mm per unit of the parameter; columns of other probes' tips are zero.
+  Eigen::Vector3d tip_in_base(const JointSines& reading, double* derivative) const;
+
+  /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad.
+  Eigen::Vector3d tip_by_joints(const JointSines& reading, double* derivative) const;
+
+  /// The tip's centre and the joints' axes in the base frame: unit vectors along them and a point on each
+  /// (the origins that the class comment calls p), both 3 × joint_count(), column-major.
+  Eigen::Vector3d axes_in_base(const JointSines& reading, double* directions, double* points) const;
+
+ private:
+  struct Link {
+    double a, d, sign;
+    double sin_theta, cos_theta;  // of the zero offset
+    double sin_alpha, cos_alpha;
+    double sin_beta, cos_beta;
+    bool has_beta;
+    // Column of each parameter in the derivative, or -1.
+    int column_a, column_d, column_theta, column_alpha, column_beta;
+  };
+  struct LinkErrors {
+    JointErrors size;
+    Eigen::Vector3d weight;                      // N
+    std::array<int, joint_error_kinds> columns;  // from ParameterKind::Cosine1 on
+  };
+  struct Frame;
+  struct Frames;
+  struct Posture;
+  struct Slopes;
+  template <typename Growth, typename Visit>
+  Eigen::Vector3d walk(const double* sines, Growth growth, Visit&& visit) const;
+
+  // Of an arm with errors.
+  [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
+  [[nodiscard]] Posture posture_of(const JointSines& reading) const;
+  Eigen::Vector3d walk_frames(const Posture& posture, Frames& frames) const;
+  [[nodiscard]] WeighedChain weighed(const Frames& frames, const Eigen::Vector3d& tip) const;
+  [[nodiscard]] Slopes slopes_of(const Frames& frames, const WeighedChain& chain) const;
+  Eigen::Vector3d put_with_errors(const JointSines& reading, double* derivative) const;
+  Eigen::Vector3d put_by_joints_with_errors(const JointSines& reading, double* derivative) const;
+
+  Convention convention_;
+  std::vector<Link> links_;
+  std::vector<LinkErrors> errors_;  // of all joints, or none: a rigid arm without columns for errors
+  bool sags_ = false;               // a joint gives way to gravity, or is asked whether it does
+  double reference_temperature_;
+  Eigen::Vector3d tip_in_last_;
+  double tip_radius_;
+  std::array<int, 3> column_tip_{-1, -1, -1};
+  int column_radius_ = -1;
+  int columns_;
+};
+
+}  // namespace artcal

@@ -1,0 +1,93 @@
+#include "acquisition/coincidence/coincident_points.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "acquisition/coincidence/coincident_columns.h"
+
+namespace artcal {
+namespace {
+
+std::vector<bool> points_at_zero(const Eigen::Matrix3Xd& points) {
+  std::vector<bool> at_zero(static_cast<std::size_t>(points.cols()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    at_zero[static_cast<std::size_t>(i)] = points.col(i).isZero(0.0);
+  }
+  return at_zero;
+}
+
+// Whether the origin lies farther off the bounding box of the others than its diagonal.
+bool origin_is_apart(const Eigen::Matrix3Xd& points, const std::vector<bool>& at_zero) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = -low;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    if (!at_zero[static_cast<std::size_t>(i)]) {
+      low = low.cwiseMin(points.col(i));
+      high = high.cwiseMax(points.col(i));
+    }
+  }
+  const Eigen::Vector3d off = low.cwiseMax(-high).cwiseMax(0.0);
+  return off.norm() > (high - low).norm();
+}
+
+void keep(PointCloud& cloud, const std::vector<bool>& dropped) {
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < cloud.points.cols(); ++i) {
+    if (dropped[static_cast<std::size_t>(i)]) {
+      continue;
+    }
+    cloud.points.col(kept) = cloud.points.col(i).eval();
+    if (cloud.joints.rows() > 0) {
+      cloud.joints.col(kept) = cloud.joints.col(i).eval();
+    }
+    cloud.rows[static_cast<std::size_t>(kept)] = cloud.rows[static_cast<std::size_t>(i)];
+    ++kept;
+  }
+  cloud.points.conservativeResize(3, kept);
+  cloud.joints.conservativeResize(cloud.joints.rows(), cloud.joints.rows() == 0 ? 0 : kept);
+  cloud.rows.resize(static_cast<std::size_t>(kept));
+}
+
+std::vector<Eigen::Index> first_of_equal(const PointCloud& cloud) {
+  if (cloud.joints.rows() == 0) {
+    return first_coincident(cloud.points);
+  }
+  Eigen::MatrixXd columns(3 + cloud.joints.rows(), cloud.points.cols());
+  columns << cloud.points, cloud.joints;
+  return first_coincident(columns);
+}
+
+void drop_zeros(PointCloud& cloud) {
+  const auto at_zero = points_at_zero(cloud.points);
+  const auto zeros = static_cast<Eigen::Index>(std::count(at_zero.begin(), at_zero.end(), true));
+  if (zeros == 0 || zeros == cloud.points.cols() || (zeros == 1 && !origin_is_apart(cloud.points, at_zero))) {
+    return;
+  }
+  cloud.warnings.push_back(fmt::format(
+      "{} of {} points {} at exactly 0 0 0, which instruments write where they measured nothing; {} left out", zeros,
+      cloud.points.cols(), zeros == 1 ? "is" : "are", zeros == 1 ? "it was" : "they were"));
+  keep(cloud, at_zero);
+}
+
+}  // namespace
+
+void drop_coincident_points(PointCloud& cloud) {
+  drop_zeros(cloud);
+  const auto first = first_of_equal(cloud);
+  std::vector<bool> repeated(first.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    repeated[i] = first[i] != static_cast<Eigen::Index>(i);
+    count += repeated[i] ? 1 : 0;
+  }
+  if (count == 0) {
+    return;
+  }
+  cloud.warnings.push_back(fmt::format(
+      "{} of {} points repeat an earlier one in every digit; each place is counted once", count, cloud.points.cols()));
+  keep(cloud, repeated);
+}
+
+}  // namespace artcal

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/recording/recording_file.h"
+#include "acquisition/recording/tip_centres.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/output/phrases.h"
+#include "app/requests/access_option.h"
+#include "app/requests/model_asked.h"
+#include "app/requests/referenced_files.h"
+#include "app/results/identification/coupling_json.h"
+#include "app/results/identification/coupling_text.h"
+#include "app/results/identification/result_json.h"
+#include "artefacts/constraints/read_constraints.h"
+#include "artefacts/virtual_probing/virtual_probing.h"
+#include "core/files/size_limits.h"
+#include "core/toml/toml_document.h"
+#include "identification/identifiability/coupling.h"
+#include "identification/identifiability/selection.h"
+#include "identification/problem/start.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  RecordingOptions access;
+  std::string path;
+  std::vector<std::string> hold, free;
+  std::string model;
+  double angle_scale = 0.0;
+  VirtualProbing probing;
+  bool kind_is_given = false;
+};
+
+/// Readings, real or made up.
+struct Subject {
+  Recording recording;
+  Constraints constraints;
+};
+
+Expected<Subject> made_up(const Request& request) {
+  auto file = read_arm_file(request.path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  VirtualRecording made = probe_virtually(file->arm, request.probing);
+  const auto wanted = static_cast<std::size_t>(request.probing.readings);
+  // An odd number of readings leaves one that makes no pair.
+  if (made.recording.readings.size() < std::max<std::size_t>(1, wanted - wanted % 2)) {
+    return no_solution(
+        fmt::format("only {} of {} readings of this kind can be made up: a distance takes two readings, and the arm "
+                    "must reach what it is to read",
+                    made.recording.readings.size(), wanted));
+  }
+  made.recording.name = fmt::format("{} readings at random postures", made.recording.readings.size());
+  made.recording.inputs = {file->input};
+  auto constraints = build_constraints(made.recording, made.artefacts);
+  if (!constraints) {
+    return tl::unexpected(constraints.error());
+  }
+  return Subject{std::move(made.recording), std::move(*constraints)};
+}
+
+Expected<Subject> recorded(const Request& request) {
+  auto recording = read_recording(request.path, request.access.of(request.path));
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  if (auto there = require_joints(*recording); !there) {
+    return tl::unexpected(there.error());
+  }
+  auto constraints = read_constraints(*recording, request.access.of(request.path), request.access.scans());
+  if (!constraints) {
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
+  }
+  recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
+  return Subject{std::move(*recording), std::move(*constraints)};
+}
+
+Expected<Subject> subject_of(const Request& request) {
+  const auto file = read_text_file(request.path, largest::toml);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const bool is_arm = schema_of(*file).starts_with("artcal-arm/");
+  if (is_arm && !request.kind_is_given) {
+    return wrong_usage(
+        "this is an arm without readings; say which kind of reading to think of, such as --kind base "
+        "(see artcal coupling --help)");
+  }
+  if (!is_arm && request.kind_is_given) {
+    if (const auto document = TomlDocument::parse(*file, "artcal-recording/1"); !document) {
+      return tl::unexpected(document.error());
+    }
+    return wrong_usage("--kind is for an arm alone; this file is a recording, whose readings say what they are");
+  }
+  return is_arm ? made_up(request) : recorded(request);
+}
+
+Expected<Model> model_of(const Request& request, const Recording& recording) {
+  const auto model = model_asked(request.model, recording);
+  if (!model) {
+    return tl::unexpected(model.error());
+  }
+  if (model->automatic && !request.model.empty()) {
+    return wrong_usage("a coupling analysis is of one model; state its groups, such as --model dh+eccentricity");
+  }
+  for (const ParameterGroup group : model->groups) {
+    if (const std::string obstacle = obstacle_to(group, recording.arm, recording); !obstacle.empty()) {
+      return wrong_usage(fmt::format("the model has the group {}, but {}", name_of(group), obstacle));
+    }
+  }
+  return model->groups;
+}
+
+Expected<int> analyse_and_tell(const Request& request) {
+  const auto subject = subject_of(request);
+  if (!subject) {
+    return tl::unexpected(subject.error());
+  }
+  const Recording& recording = subject->recording;
+  if (auto checked = check_outputs({request.common.json}, referenced_files(recording, request.access.of(request.path)));
+      !checked) {
+    return tl::unexpected(checked.error());
+  }
+  std::vector<std::string> hold = recording.identify.hold;
+  hold.insert(hold.end(), request.hold.begin(), request.hold.end());
+  std::vector<std::string> free = recording.identify.free;
+  free.insert(free.end(), request.free.begin(), request.free.end());
+  const auto model = model_of(request, recording);
+  if (!model) {
+    return tl::unexpected(model.error());
+  }
+  const Arm nominal = arm_for(*model, recording.arm);
+  const auto selection = select_parameters(nominal, hold, free, *model);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  const auto arm = arm_with_fitted_tips(recording, subject->constraints, nominal, hold);
+  if (!arm) {
+    return tl::unexpected(arm.error());
+  }
+  CouplingOptions options = coupling_options(*selection);
+  options.angle_scale = request.angle_scale;
+  options.noise = recording.noise;
+  const auto coupling = analyse_coupling(recording, subject->constraints, *arm, options);
+  if (!coupling) {
+    return tl::unexpected(with_warnings(coupling.error(), recording.warnings));
+  }
+  const auto made_up = request.kind_is_given ? std::optional(request.probing) : std::nullopt;
+  return request.common.tell(to_json(recording, *coupling, {hold, free, model_text(*model), made_up}),
+                             to_text(recording, *coupling));
+}
+
+}  // namespace
+
+Run set_up_coupling(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("input", request->path, "recording.toml, or arm.toml with --kind")
+      ->required()
+      ->type_name("RECORDING|ARM");
+  const std::map<std::string, ReadingKind> kinds{
+      {"base", ReadingKind::BaseCoordinates}, {"frame", ReadingKind::FrameCoordinates},
+      {"plate", ReadingKind::Plate},          {"point", ReadingKind::Point},
+      {"distance", ReadingKind::Distance},    {"sphere", ReadingKind::Sphere},
+      {"plane", ReadingKind::Plane},          {"plane-perpendicular", ReadingKind::LevelPlane},
+      {"length", ReadingKind::Length},        {"sphere-unknown-radius", ReadingKind::UnknownSphere}};
+  auto* kind = parser.add_option("--kind", request->probing.kind,
+                                 "for an arm alone, the kind of reading: base (known coordinates in the base frame), "
+                                 "frame (in an unknown frame), plate (a known pattern at unknown poses), point "
+                                 "(seats), distance (pairs at a certified distance), sphere (balls of known radius), "
+                                 "sphere-unknown-radius, plane (unknown planes; --features 1 for a single one), "
+                                 "plane-perpendicular (all perpendicular to axis 1), length (to unknown anchors)");
+  kind->transform(CLI::CheckedTransformer(kinds).description(""))->type_name("KIND");
+  parser.add_option("--readings", request->probing.readings, "how many, at random postures")
+      ->check(CLI::Range(1, 10'000'000))
+      ->needs(kind);
+  parser
+      .add_option("--features", request->probing.features,
+                  "points, balls, planes or anchors, or placements of a plate, they are spread over")
+      ->check(CLI::Range(1, 100'000))
+      ->needs(kind);
+  parser.add_option("--seed", request->probing.seed, "of the random postures")->needs(kind);
+  parser.add_option("--hold", request->hold, "parameters taken as known")->delimiter(',')->type_name("NAMES");
+  parser.add_option("--free", request->free, "parameters that are to be free where there is a choice")
+      ->delimiter(',')
+      ->type_name("NAMES");
+  parser
+      .add_option("--model", request->model,
+                  "parameters asked about: dh, or dh with groups behind it, such as dh+eccentricity (see identify)")
+      ->type_name("MODEL");
+  parser
+      .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")
+      ->check(CLI::PositiveNumber);
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer(
+      "Examples:\n  artcal coupling examples/two-socket-bar/recording.toml\n"
+      "  artcal coupling examples/gao2013/table1.toml --kind distance");
+  return [request, kind] {
+    request->kind_is_given = kind->count() > 0;
+    const auto done = analyse_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

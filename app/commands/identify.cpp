@@ -1,0 +1,153 @@
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/recording/recording_file.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/output/phrases.h"
+#include "app/requests/access_option.h"
+#include "app/requests/dcc_request.h"
+#include "app/requests/identify_request.h"
+#include "app/requests/referenced_files.h"
+#include "app/results/identification/dcc_identification.h"
+#include "app/results/identification/identification_report.h"
+#include "app/results/identification/identification_run.h"
+#include "app/results/identification/identified_arm.h"
+#include "app/results/identification/identify_progress.h"
+#include "app/results/identification/readings_json.h"
+#include "app/results/identification/result_json.h"
+#include "app/results/identification/result_text.h"
+#include "artefacts/constraints/read_constraints.h"
+#include "artefacts/dcc/writing/dcc_write.h"
+#include "identification/identify.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  RecordingOptions access;
+  std::string recording;
+  std::string arm_out;
+  DccRequest dcc;
+  std::string report;
+  IdentifyChoices choices;
+  bool no_leave_out = false;
+  bool no_residuals = false;
+  int threads = 0;
+};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+Expected<IdentifyOptions> options_of(const Request& request, const Recording& recording) {
+  return request.choices.options(recording).map([&](IdentifyOptions options) {
+    options.leave_out = !request.no_leave_out;
+    options.threads = request.threads;
+    return options;
+  });
+}
+
+Expected<Identification> identify_with_progress(const Recording& recording, const Constraints& constraints,
+                                                IdentifyOptions options, bool quiet) {
+  IdentifyProgress progress(stderr, !quiet && ::isatty(STDERR_FILENO) == 1);
+  options.progress = [&](const std::string& what, std::size_t done, std::size_t total) {
+    progress.set(what, done, total);
+  };
+  return run_identification(recording, constraints, options);
+}
+
+Expected<int> identify_and_tell(const Request& request) {
+  const auto start = Clock::now();
+  auto recording = read_recording(request.recording, request.access.of(request.recording));
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
+  if (!constraints) {
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
+  }
+  auto options = options_of(request, *recording);
+  if (!options) {
+    return tl::unexpected(options.error());
+  }
+  const auto certificate = read_certificate_data(request.dcc, *recording);
+  if (!certificate) {
+    return tl::unexpected(certificate.error());
+  }
+  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc.out, request.report},
+                                   referenced_files(*recording, request.access.of(request.recording)));
+      !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const double reading_seconds = seconds_since(start);
+  const auto result = identify_with_progress(*recording, *constraints, *options, request.common.quiet);
+  if (!result) {
+    return tl::unexpected(result.error());
+  }
+  const Timings timings{reading_seconds, seconds_since(start) - reading_seconds};
+  if (!request.arm_out.empty()) {
+    if (auto written =
+            write_file(request.arm_out, arm_file_text(result->arm, arm_identification(*recording, *options, *result)));
+        !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  if (*certificate) {
+    const DccDocument document = dcc_of(*recording, *constraints, *result, **certificate);
+    if (auto written = write_file(request.dcc.out, dcc_xml(document)); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  if (!request.common.json.empty() || !request.report.empty()) {
+    auto json = to_json(*recording, *constraints, *options, *result, timings);
+    json["residuals"] = residuals_json(*recording, *constraints, *result);
+    if (auto written = write_identification_report(request.report, json, *recording, *options, *result); !written) {
+      return tl::unexpected(written.error());
+    }
+    if (request.no_residuals) {
+      json.erase("residuals");
+    }
+    if (auto written = write_json(request.common.json, json); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  if (request.common.talks()) {
+    fmt::print("{}", to_text(*recording, *constraints, *result));
+    fmt::print("{}\n", request.arm_out.empty() ? "The identified arm was not written; add -o ARM.toml to keep it."
+                                               : fmt::format("The identified arm is in {}.", request.arm_out));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Run set_up_identify(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
+  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
+  request->dcc.add_to(parser);
+  request->choices.add_to(parser, "Options");
+  request->choices.add_noise_of_parts_to(parser);
+  parser.add_flag("--no-leave-out", request->no_leave_out, "do not identify again without each placement");
+  parser.add_flag("--no-residuals", request->no_residuals, "leave the readings out of the JSON: it is much smaller");
+  parser.add_option("--threads", request->threads, "threads for leaving out; 0 takes all, the result is the same")
+      ->check(CLI::NonNegativeNumber);
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer("Example:\n  artcal identify examples/two-socket-bar/recording.toml -o panda.toml --json result.json");
+  return [request] {
+    const auto done = identify_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,276 @@
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/recording/recording_file.h"
+#include "acquisition/recording/tip_centres.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/output/phrases.h"
+#include "app/requests/access_option.h"
+#include "app/requests/referenced_files.h"
+#include "app/requests/stand_options.h"
+#include "app/results/planning/plan_result.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "artefacts/constraints/read_constraints.h"
+#include "artefacts/simulation/plan/plan_file.h"
+#include "artefacts/simulation/possible_session.h"
+#include "core/files/size_limits.h"
+#include "core/plausible.h"
+#include "core/text/decimal_comma.h"
+#include "core/text/in_quotes.h"
+#include "core/toml/toml_document.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  RecordingOptions access;
+  std::string input;
+  std::string artefact;
+  std::string measured;
+  std::string encoder_noise, probing_noise;
+  std::string table, picture;
+  StandOptions stand;
+  PossibleSession possible{100, 20, 1};
+  PlanningOptions options;
+};
+
+/// What could be read, and the files that say so.
+struct Possible {
+  SimulationPlan plan;
+  std::vector<InputFile> inputs;
+};
+
+Expected<Possible> possible_of_arm(const Request& request) {
+  if (request.artefact.empty()) {
+    return wrong_usage("this is an arm; say what is to be read with it: --artefact artefact.toml");
+  }
+  auto arm = read_arm_file(request.input);
+  if (!arm) {
+    return tl::unexpected(arm.error());
+  }
+  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
+  if (!artefact) {
+    return tl::unexpected(artefact.error());
+  }
+  std::vector<InputFile> inputs{arm->input, artefact->input};
+  if (artefact->certificate) {
+    inputs.push_back(*artefact->certificate);
+  }
+  return Possible{possible_session(arm->arm, artefact->artefact, request.possible), std::move(inputs)};
+}
+
+// The placements and probings of a plan.toml, its true arm and noise forgotten.
+Expected<Possible> possible_of_plan(const Request& request) {
+  if (!request.artefact.empty()) {
+    return wrong_usage("--artefact is for an arm alone; this plan names its artefacts itself");
+  }
+  auto file = read_plan_file(request.input, request.access.of(request.input));
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  SimulationPlan plan = file->plan;
+  plan.arm.arm = plan.nominal;
+  for (VirtualJoint& joint : plan.arm.joints) {
+    const VirtualJoint real = joint;
+    joint = VirtualJoint{};
+    joint.low = real.low;
+    joint.high = real.high;
+  }
+  plan.errors = {};
+  plan.noise = {};
+  plan.draw_artefacts = false;
+  return Possible{std::move(plan), file->inputs};
+}
+
+Expected<Possible> possible_of(const Request& request) {
+  const auto file = read_text_file(request.input, largest::toml);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  if (schema_of(*file).starts_with("artcal-arm/")) {
+    return possible_of_arm(request);
+  }
+  // Before anything is said of options: it may be no plan at all.
+  if (const auto document = TomlDocument::parse(*file, "artcal-plan/1"); !document) {
+    return tl::unexpected(document.error());
+  }
+  return possible_of_plan(request);
+}
+
+Expected<double> noise_of(const std::string& text, const char* option,
+                          std::optional<double> (*quantity)(std::string_view)) {
+  const auto value = quantity(text);
+  if (!value || !(*value > 0.0)) {
+    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit{}", option, in_quotes(text),
+                                   decimal_comma_question(text)));
+  }
+  const bool is_angle = quantity == angle_quantity;
+  if (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
+    return wrong_usage(fmt::format("{} is {}, expected a standard deviation of {}; is the unit right?", option,
+                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
+  }
+  return *value;
+}
+
+Expected<Noise> noise_of(const Request& request) {
+  const auto encoder = noise_of(request.encoder_noise, "--encoder-noise", angle_quantity);
+  if (!encoder) {
+    return tl::unexpected(encoder.error());
+  }
+  const auto probing = noise_of(request.probing_noise, "--probing-noise", length_quantity);
+  if (!probing) {
+    return tl::unexpected(probing.error());
+  }
+  Noise noise;
+  noise.encoder = *encoder;
+  noise.probing = *probing;
+  return noise;
+}
+
+/// Readings that are there already.
+struct Measured {
+  Recording recording;
+  Constraints constraints;
+};
+
+Expected<std::optional<Measured>> measured_of(const Request& request, const Arm& arm) {
+  if (request.measured.empty()) {
+    return std::nullopt;
+  }
+  auto recording = read_recording(request.measured, request.access.of(request.measured));
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  if (auto there = require_joints(*recording); !there) {
+    return tl::unexpected(there.error());
+  }
+  if (recording->arm.joints.size() != arm.joints.size() || recording->arm.convention != arm.convention ||
+      recording->arm.probes.size() != arm.probes.size()) {
+    return bad_input(
+        fmt::format("these readings were taken with the arm {}, which is not built like the arm {} that is "
+                    "to be planned for",
+                    in_quotes(recording->arm.name), in_quotes(arm.name)),
+        request.measured);
+  }
+  auto constraints = read_constraints(*recording, request.access.of(request.measured), request.access.scans());
+  if (!constraints) {
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
+  }
+  return Measured{std::move(*recording), std::move(*constraints)};
+}
+
+Expected<int> plan_and_tell(const Request& request) {
+  auto possible = possible_of(request);
+  if (!possible) {
+    return tl::unexpected(possible.error());
+  }
+  PlanningOptions options = request.options;
+  const auto noise = noise_of(request);
+  if (!noise) {
+    return tl::unexpected(noise.error());
+  }
+  options.noise = *noise;
+  const auto measured = measured_of(request, possible->plan.nominal);
+  if (!measured) {
+    return tl::unexpected(measured.error());
+  }
+  std::vector<InputFile> inputs = possible->inputs;
+  if (*measured) {
+    const auto& more = (*measured)->recording.inputs;
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  std::vector<InputFile> to_be_kept =
+      *measured ? referenced_files((*measured)->recording, request.access.of(request.measured))
+                : std::vector<InputFile>{};
+  to_be_kept.insert(to_be_kept.end(), inputs.begin(), inputs.end());
+  if (auto checked = check_outputs({request.common.json, request.table, request.picture}, to_be_kept); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (auto stands = request.stand.add_to(possible->plan.stand); !stands) {
+    return tl::unexpected(stands.error());
+  }
+  const auto simulation = simulate(possible->plan);
+  if (!simulation) {
+    return tl::unexpected(simulation.error());
+  }
+  std::vector<Artefact> artefacts;
+  for (const PlannedArtefact& artefact : possible->plan.artefacts) {
+    artefacts.push_back(artefact.certified);
+  }
+  const auto constraints = build_constraints(simulation->recording, std::move(artefacts));
+  if (!constraints) {
+    return tl::unexpected(constraints.error());
+  }
+  const auto planning = plan_session(*simulation, *constraints, *measured ? &(*measured)->recording : nullptr,
+                                     *measured ? &(*measured)->constraints : nullptr, options);
+  if (!planning) {
+    return tl::unexpected(planning.error());
+  }
+  const PlanResult result{possible->plan, *simulation,
+                          *planning,      options,
+                          inputs,         *measured ? static_cast<int>((*measured)->recording.readings.size()) : 0};
+  for (const auto& [path, text] : {std::pair(request.table, to_csv(result)), {request.picture, to_picture(result)}}) {
+    if (auto written = path.empty() ? Expected<void>{} : write_file(path, text); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  return request.common.tell(to_json(result), to_text(result));
+}
+
+}  // namespace
+
+Run set_up_plan(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser
+      .add_option("input", request->input,
+                  "the arm (identified or nominal), or plan.toml with the placements that are possible")
+      ->required()
+      ->type_name("ARM|PLAN");
+  parser.add_option("--artefact", request->artefact, "artefact.toml, for an arm")->type_name("FILE");
+  parser.add_option("--placements", request->options.placements, "how many to choose")->check(CLI::Range(1, 1000));
+  parser.add_option("--readings", request->options.readings, "of each feature in each of them")
+      ->check(CLI::Range(1, 10'000));
+  parser.add_option("--measured", request->measured, "recording.toml with readings that are there already")
+      ->type_name("RECORDING");
+  parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"")->required();
+  parser
+      .add_option("--probing-noise", request->probing_noise,
+                  "noise of the tip's coordinates beside the joints', such as \"3 um\"")
+      ->required();
+  const std::map<std::string, Goal> goals{{"worst", Goal::Worst}, {"mean", Goal::Mean}};
+  parser.add_option("--goal", request->options.goal, "the u of lengths to lower: worst (as it is) or mean")
+      ->transform(CLI::CheckedTransformer(goals).description(""))
+      ->type_name("GOAL");
+  parser
+      .add_option("--possible", request->possible.placements, "for an arm: placements to choose from, drawn at random")
+      ->check(CLI::Range(1, 5000));
+  parser.add_option("--postures", request->possible.readings, "for an arm: possible readings of each feature in each")
+      ->check(CLI::Range(1, 10'000));
+  request->stand.add_to(parser);
+  parser
+      .add_option("-o,--output", request->table,
+                  "table of the readings to take: joint angles, and how the artefact stands (position and turn as in "
+                  "plan.toml)")
+      ->type_name("CSV");
+  parser.add_option("--picture", request->picture, "where the artefact is to stand, as SVG")->type_name("SVG");
+  parser.add_option("--starts", request->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
+  parser.add_option("--seed", request->options.seed, "of all that is drawn");
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer(
+      "Example:\n  artcal plan examples/ball-bar/arm.toml --artefact examples/ball-bar/bar.toml --placements 4\\\n"
+      "    --encoder-noise \"2 arcsec\" --probing-noise \"3 um\" --floor \"-700 mm\" --picture plan.svg");
+  return [request] {
+    request->possible.seed = request->options.seed;
+    const auto done = plan_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

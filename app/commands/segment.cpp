@@ -1,0 +1,184 @@
+#include <charconv>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "acquisition/point_cloud/point_cloud.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/requests/access_option.h"
+#include "app/requests/cloud_columns.h"
+#include "app/requests/memory_option.h"
+#include "app/results/fit/segment_result.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "core/text/in_quotes.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  AccessOption access;
+  std::string scan, artefact, unit;
+  std::string tolerance;
+  std::string radius = "fixed";
+  std::vector<std::string> places;
+  std::vector<int> columns;
+  std::optional<double> temperature;
+  CloudLimits limits;
+};
+
+// "NAME=x,y,z"; names may hold an equals sign themselves.
+Expected<PlaceHint> hint_of(const std::string& text, const SegmentResult& result) {
+  const auto wrong = [&] {
+    return wrong_usage(
+        fmt::format("--place {}: expected the name of a sphere of the artefact and where it is, in {}, such as "
+                    "{}=10,-20,35.5",
+                    in_quotes(text), result.unit, sphere_name(result, 0)));
+  };
+  const std::size_t equals = text.rfind('=');
+  if (equals == std::string::npos) {
+    return wrong();
+  }
+  PlaceHint hint;
+  hint.point = -1;
+  for (std::size_t i = 0; i < result.wanted.spheres.size(); ++i) {
+    if (sphere_name(result, i) == text.substr(0, equals)) {
+      hint.point = static_cast<int>(i);
+    }
+  }
+  const char* at = text.data() + equals + 1;
+  const char* const end = text.data() + text.size();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [next, error] = std::from_chars(at, end, hint.near(axis));
+    const bool goes_on = axis < 2 ? next != end && *next == ',' : next == end;
+    if (error != std::errc() || !goes_on || !std::isfinite(hint.near(axis))) {
+      return wrong();
+    }
+    at = next + 1;
+  }
+  if (hint.point < 0) {
+    return wrong();
+  }
+  hint.near *= result.unit_in_mm;
+  return hint;
+}
+
+Expected<SegmentOptions> options_of(const Request& request, const SegmentResult& result) {
+  SegmentOptions options;
+  options.fixed_radius = request.radius == "fixed";
+  if (!request.tolerance.empty()) {
+    options.tolerance = length_quantity(request.tolerance);
+    if (!options.tolerance || *options.tolerance <= 0.0) {
+      return wrong_usage("a tolerance is a number above zero with its unit, such as --tolerance \"0.5 mm\"");
+    }
+  }
+  if (!request.places.empty() && result.wanted.spheres.empty()) {
+    return wrong_usage("--place names a sphere, but the artefact has none");
+  }
+  for (const std::string& place : request.places) {
+    auto hint = hint_of(place, result);
+    if (!hint) {
+      return tl::unexpected(hint.error());
+    }
+    options.hints.push_back(*hint);
+  }
+  return options;
+}
+
+Expected<int> segment_and_tell(const Request& request) {
+  SegmentResult result;
+  const auto unit = length_unit(request.unit);
+  if (!unit) {
+    return wrong_usage(fmt::format("--unit {}: expected mm, um, m or in", in_quotes(request.unit)));
+  }
+  result.unit = request.unit;
+  result.unit_in_mm = *unit;
+  constexpr double absolute_zero = -273.15;
+  if (request.temperature && !(*request.temperature > absolute_zero && *request.temperature < 1e4)) {
+    return wrong_usage("--temperature: expected the artefact's temperature in degC, such as 20.5");
+  }
+  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
+  if (!artefact) {
+    return tl::unexpected(artefact.error());
+  }
+  result.artefact = std::move(artefact->artefact);
+  result.temperature = request.temperature.value_or(result.artefact.reference_temperature);
+  auto wanted = scan_contents(result.artefact, result.temperature);
+  if (!wanted) {
+    return bad_input(wanted.error().message, request.artefact);
+  }
+  result.wanted = std::move(*wanted);
+  auto options = options_of(request, result);
+  if (!options) {
+    return tl::unexpected(options.error());
+  }
+  result.options = std::move(*options);
+  const auto columns = cloud_columns(request.columns);
+  if (!columns) {
+    return tl::unexpected(columns.error());
+  }
+  auto read = read_cloud(request.scan, {*unit, std::nullopt}, *columns, request.limits);
+  if (!read) {
+    return tl::unexpected(read.error());
+  }
+  result.columns = read->columns;
+  PointCloud* const cloud = &read->cloud;
+  result.inputs = {cloud->input, artefact->input};
+  if (artefact->certificate) {
+    result.inputs.push_back(*artefact->certificate);
+  }
+  if (auto checked = check_outputs({request.common.json}, result.inputs); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  result.points = static_cast<std::size_t>(cloud->points.cols());
+  result.rows = std::move(cloud->rows);
+  auto segmentation = segment(cloud->points, result.wanted.contents, result.options);
+  if (!segmentation) {
+    return tl::unexpected(segmentation.error());
+  }
+  result.segmentation = std::move(*segmentation);
+  result.warnings = std::move(cloud->warnings);
+  result.warnings.insert(result.warnings.end(), result.segmentation.warnings.begin(),
+                         result.segmentation.warnings.end());
+  const SegmentStatus status = result.segmentation.status;
+  if (status != SegmentStatus::Complete && status != SegmentStatus::Partial) {
+    return no_solution(refusal_text(result));
+  }
+  return request.common.tell(to_json(result), to_text(result));
+}
+
+}  // namespace
+
+Run set_up_segment(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("scan", request->scan, "PCD, PLY or text of x, y, z")->required()->type_name("SCAN");
+  parser.add_option("--artefact", request->artefact, "artefact.toml: what stands in the scan")
+      ->required()
+      ->type_name("FILE");
+  parser.add_option("--unit", request->unit, "of the scan's coordinates: mm, um, m or in")
+      ->required()
+      ->type_name("UNIT");
+  parser.add_option("--temperature", request->temperature, "of the artefact, in degC; else the certificate's");
+  parser.add_option("--tolerance", request->tolerance,
+                    "of distances between spheres, such as \"0.5 mm\"; else a tenth of the radius");
+  parser.add_option("--radius", request->radius, "of the fitted spheres: the certified one, or what the points show")
+      ->check(CLI::IsMember({"fixed", "free"}));
+  parser.add_option("--place", request->places, "which sphere is which, where distances do not tell: NAME=x,y,z")
+      ->type_name("PLACE");
+  add_columns_option(parser, request->columns);
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  add_max_memory(parser, request->limits);
+  parser.footer(
+      "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --artefact examples/ball-bar-scan/bar.toml --unit "
+      "mm");
+  return [request] {
+    const auto done = segment_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

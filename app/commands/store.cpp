@@ -1,0 +1,68 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/store/store.h"
+#include "core/text/in_quotes.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  std::string out, store;
+  std::vector<std::string> shards;
+  bool quiet = false;
+};
+
+Expected<int> merge_and_tell(const Request& request) {
+  auto out = Store::open(request.out, Database::Access::Write);
+  if (!out) {
+    return tl::unexpected(out.error());
+  }
+  for (const std::string& name : request.shards) {
+    auto shard = Store::open(name, Database::Access::Read);
+    if (!shard) {
+      return tl::unexpected(shard.error());
+    }
+    if (auto merged = out->merge(*shard); !merged) {
+      return tl::unexpected(merged.error());
+    }
+  }
+  if (!request.quiet) {
+    fmt::print("{} stores were merged into {}.\n", request.shards.size(), out->name());
+  }
+  return 0;
+}
+
+Expected<int> dump(const Request& request) {
+  auto store = Store::open(request.store, Database::Access::Read);
+  if (!store) {
+    return tl::unexpected(store.error());
+  }
+  auto dumped = store->dump([](std::string_view line) { fmt::print("{}", line); });
+  return dumped.map([] { return 0; });
+}
+
+}  // namespace
+
+Run set_up_store(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.require_subcommand(1);
+  CLI::App* merge =
+      parser.add_subcommand("merge", "add what other stores hold to a store; the same again changes nothing");
+  merge->add_option("out", request->out, "store to add to; made where it is not there")->required()->type_name("OUT");
+  merge->add_option("shards", request->shards, "stores to read")->required()->type_name("STORE…");
+  merge->add_flag("--quiet,-q", request->quiet, "print nothing but errors");
+  CLI::App* dumped =
+      parser.add_subcommand("dump", "print all results, a row a line; the same results give the same bytes");
+  dumped->add_option("store", request->store, "file or postgresql://…")->required()->type_name("STORE");
+  parser.footer("Examples:\n  artcal store merge all.sqlite shard-*.sqlite\n  artcal store dump all.sqlite");
+  return [request, merge] {
+    const auto done = merge->parsed() ? merge_and_tell(*request) : dump(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,141 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm/arm_file.h"
+#include "app/commands/command.h"
+#include "app/commands/monte_carlo.h"
+#include "app/output/output.h"
+#include "app/results/identification/identified_arm.h"
+#include "app/results/uncertainty/uncertainty_result.h"
+#include "core/plausible.h"
+#include "core/text/decimal_comma.h"
+#include "core/text/in_quotes.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  std::string arm;
+  std::string probe;
+  VolumeSampling sampling;
+  MonteCarloRequest monte_carlo;  ///< holds the noise for both
+};
+
+Expected<double> noise_of(const std::string& text, const char* option,
+                          std::optional<double> (*quantity)(std::string_view), const char* example) {
+  if (text.empty()) {
+    return 0.0;
+  }
+  const auto value = quantity(text);
+  if (!value) {
+    return wrong_usage(fmt::format("{} is {}, expected a number with its unit, such as \"{}\"{}", option,
+                                   in_quotes(text), example, decimal_comma_question(text)));
+  }
+  const bool is_angle = quantity == angle_quantity;
+  if (*value > 0.0 && (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value))) {
+    return wrong_usage(fmt::format("{} is {}, expected 0 or a standard deviation of {}; is the unit right?", option,
+                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
+  }
+  return *value;
+}
+
+Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& file) {
+  if (!file.identification) {
+    return bad_input(
+        "this arm carries no covariance, so nothing is known of its uncertainty; `artcal identify RECORDING -o ARM` "
+        "writes one that does",
+        file.input.path);
+  }
+  UncertaintySources sources = uncertainty_sources(file.arm, *file.identification);
+  const auto encoder =
+      noise_of(request.monte_carlo.choices.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
+  const auto probing = noise_of(request.monte_carlo.choices.probing_noise, "--probing-noise", length_quantity, "3 um");
+  for (const auto* noise : {&encoder, &probing}) {
+    if (!*noise) {
+      return tl::unexpected(noise->error());
+    }
+  }
+  const bool is_stated =
+      !request.monte_carlo.choices.encoder_noise.empty() || !request.monte_carlo.choices.probing_noise.empty();
+  if (!is_stated && !file.identification->noise && !file.identification->encoder_noise) {
+    return wrong_usage(
+        "the arm's file does not say how noisy its readings are; state --encoder-noise and "
+        "--probing-noise, such as --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"");
+  }
+  if (is_stated) {
+    sources.encoder = *encoder;
+    sources.probing = *probing;
+  }
+  return sources;
+}
+
+Expected<int> probe_of(const Request& request, const ArmFile& file) {
+  if (request.probe.empty()) {
+    return 0;
+  }
+  const int probe = probe_index(file.arm, request.probe);
+  if (probe < 0) {
+    return wrong_usage(fmt::format("the arm has no probe {}", in_quotes(request.probe)));
+  }
+  return probe;
+}
+
+Expected<int> survey_and_tell(const Request& request) {
+  const auto file = read_arm_file(request.arm);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const auto sources = sources_of(request, *file);
+  if (!sources) {
+    return tl::unexpected(sources.error());
+  }
+  const auto probe = probe_of(request, *file);
+  if (!probe) {
+    return tl::unexpected(probe.error());
+  }
+  if (auto checked = check_outputs({request.common.json}, {file->input}); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const UncertainArm arm(file->arm, *sources, *probe);
+  const SurveyResult result{*file, *sources, *probe, request.sampling, survey(arm, request.sampling)};
+  return request.common.tell(to_json(result), to_text(result));
+}
+
+}  // namespace
+
+Run set_up_uncertainty(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser
+      .add_option("file", request->arm,
+                  "an identified arm, as `artcal identify -o` writes it; with --monte-carlo a recording.toml")
+      ->required()
+      ->type_name("ARM|RECORDING");
+  request->monte_carlo.choices.add_noise_of_parts_to(parser);
+  parser.add_option("--probe", request->probe, "the probe to measure with, where there are several")->type_name("NAME");
+  parser.add_option("--lengths", request->sampling.lengths, "random places for each length")
+      ->check(CLI::Range(1, 1'000'000));
+  parser.add_option("--rings", request->sampling.rings, "of the map of the volume")->check(CLI::Range(1, 100));
+  parser.add_option("--seed", request->sampling.seed, "of the random places and postures");
+  request->monte_carlo.add_to(parser);
+  for (const char* of_a_survey : {"--lengths", "--rings"}) {
+    parser.get_option("--monte-carlo")->excludes(parser.get_option(of_a_survey));
+  }
+  request->monte_carlo.access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer(
+      "Example:\n  artcal identify examples/ball-bar/recording.toml -o arm.toml\n"
+      "  artcal uncertainty arm.toml --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"\n"
+      "  artcal uncertainty examples/two-socket-bar/recording.toml --monte-carlo --trials 10000");
+  return [request] {
+    const auto done = request->monte_carlo.asked
+                          ? monte_carlo_and_tell(request->monte_carlo, request->common, request->arm, request->probe,
+                                                 request->sampling.seed)
+                          : survey_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "acquisition/recording/recording_file.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/report/report.h"
+#include "app/requests/access_option.h"
+#include "app/requests/dcc_request.h"
+#include "app/requests/referenced_files.h"
+#include "app/results/verification/dcc_verification.h"
+#include "app/results/verification/verification_json.h"
+#include "app/results/verification/verification_material.h"
+#include "app/results/verification/verification_run.h"
+#include "app/results/verification/verification_text.h"
+#include "app/version.h"
+#include "artefacts/artefact/artefact_text.h"
+#include "artefacts/dcc/writing/dcc_write.h"
+#include "artefacts/verification/verify.h"
+
+namespace artcal {
+namespace {
+
+constexpr int conformity_not_shown = 1;
+
+struct Request {
+  CommonOptions common;
+  std::string recording;
+  std::string arm, specification;
+  RecordingOptions access;
+  std::string standard, against, report;
+  DccRequest dcc;
+  std::string artefact_out;
+  bool all = false;
+};
+
+// The plate that was calibrated by swinging it round, as an artefact file; nothing where none is asked for.
+Expected<std::string> calibrated_plate_text(const Request& request, const VerificationMaterial& material,
+                                            const VerificationResult& result) {
+  if (request.artefact_out.empty()) {
+    return std::string();
+  }
+  if (result.calibrations.size() != 1) {
+    return no_solution(fmt::format(
+        "--artefact-out writes the one plate that was read completely in four or more placements, and there are {}",
+        result.calibrations.size()));
+  }
+  const PlateCalibration& calibration = result.calibrations.front();
+  const auto& artefacts = material.constraints.artefacts;
+  const auto certified = std::find_if(artefacts.begin(), artefacts.end(),
+                                      [&](const Artefact& artefact) { return artefact.name == calibration.artefact; });
+  return artefact_file_text(calibrated_artefact(*certified, calibration),
+                            {fmt::format("Written by artcal {} from the recording with the SHA-256 {}; no certificate.",
+                                         program_version, material.recording.inputs.front().sha256)});
+}
+
+Expected<int> verify_and_tell(const Request& request) {
+  auto material =
+      read_recording(request.recording, request.access.of(request.recording)).and_then([&](Recording&& recording) {
+        return read_verification_material(
+            std::move(recording),
+            {request.arm, request.specification, request.access.of(request.recording), request.access.limits});
+      });
+  if (!material) {
+    return tl::unexpected(material.error());
+  }
+  const auto result = run_verification(*material, request.standard, request.against);
+  if (!result) {
+    return tl::unexpected(result.error());
+  }
+  const auto certificate = read_certificate_data(request.dcc, material->recording);
+  if (!certificate) {
+    return tl::unexpected(certificate.error());
+  }
+  if (auto checked = check_outputs({request.common.json, request.dcc.out, request.artefact_out, request.report},
+                                   referenced_files(material->recording, request.access.of(request.recording)));
+      !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const auto plate = calibrated_plate_text(request, *material, *result);
+  if (!plate) {
+    return tl::unexpected(plate.error());
+  }
+  if (!plate->empty()) {
+    if (auto written = write_file(request.artefact_out, *plate); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  const Session session = material->session();
+  if (*certificate) {
+    if (auto written = write_file(request.dcc.out, dcc_xml(dcc_of(session, *result, **certificate))); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  const auto json = to_json(session, *result);
+  if (!request.report.empty()) {
+    const auto written = report_html({reported(json)}).and_then([&](const std::string& page) {
+      return write_file(request.report, page);
+    });
+    if (!written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  return request.common.tell(json, to_text(session, *result, request.all),
+                             is_shown(*result) ? 0 : conformity_not_shown);
+}
+
+}  // namespace
+
+Run set_up_verify(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  parser.add_option("--standard", request->standard, "what to judge by; else the recording's")
+      ->check(CLI::IsMember({"iso10360-12", "b89.4.22", "sphere-plate"}));
+  parser.add_option("--arm", request->arm, "the arm to judge, such as an identified one; else the recording's")
+      ->type_name("ARM");
+  parser.add_option("--specification", request->specification, "limits and plan; else the recording's")
+      ->type_name("FILE");
+  parser
+      .add_option("--against", request->against,
+                  "interim check: a JSON result of an earlier verification to hold a few values against")
+      ->type_name("FILE");
+  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
+  parser
+      .add_option("--artefact-out", request->artefact_out,
+                  "sphere-plate: write the plate as four or more placements tell it, an artefact file")
+      ->type_name("FILE");
+  request->dcc.add_to(parser);
+  parser.add_flag("--all", request->all, "print every value, however many there are");
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer(
+      "The exit code is 0 where conformity is shown (with --against: where no drift is) and 1 where it is not.\n"
+      "Example:\n  artcal verify examples/iso10360-12/recording.toml --standard iso10360-12");
+  return [request] {
+    const auto done = verify_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal

@@ -1,0 +1,63 @@
+#include "app/report/sections/correlation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/report/numbers.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t told = 5;
+
+struct Pair {
+  std::size_t first = 0, second = 0;
+  double correlation = 0.0;
+};
+
+std::vector<Pair> pairs_of(const Json& matrix, std::size_t count) {
+  std::vector<Pair> pairs;
+  const auto at = [&](std::size_t i, std::size_t j) { return matrix.at(i).at(j).get<double>(); };
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      pairs.push_back({i, j, at(i, j) / std::sqrt(at(i, i) * at(j, j))});
+    }
+  }
+  return pairs;
+}
+
+std::string closest_in_words(std::vector<Pair> pairs, const std::vector<std::string>& names) {
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Pair& a, const Pair& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(told, pairs.size()); ++i) {
+    text += fmt::format("{}{} with {} {:+.2f}", i == 0 ? "" : ", ", names[pairs[i].first], names[pairs[i].second],
+                        pairs[i].correlation);
+  }
+  return text;
+}
+
+}  // namespace
+
+Figure correlation_of(const Json& covariance) {
+  const auto names = covariance.at("parameters").get<std::vector<std::string>>();
+  const auto pairs = pairs_of(covariance.at("matrix"), names.size());
+  Json x = Json::array(), y = Json::array(), values = Json::array();
+  for (const Pair& pair : pairs) {
+    x.push_back(pair.second);
+    y.push_back(pair.first);
+    values.push_back(std::round(1000.0 * pair.correlation) / 1000.0);
+  }
+  return {"Correlations of the identified parameters",
+          fmt::format("Closest: {}. The larger the mark, the closer the pair; full squares are positive, open circles "
+                      "negative.",
+                      closest_in_words(pairs, names)),
+          {{"kind", "correlations"}, {"names", names}, {"x", x}, {"y", y}, {"values", values}},
+          true};
+}
+
+}  // namespace artcal

@@ -1,0 +1,159 @@
+#include "app/report/sections/readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include "app/report/numbers.h"
+#include "app/report/thinning.h"
+#include "core/units.h"
+
+namespace artcal {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace numbers;
+
+constexpr int most_drawn = 2400;
+constexpr int most_drawn_a_joint = 480;
+
+std::vector<std::vector<double>> lists_in(const Json& json) {
+  std::vector<std::vector<double>> lists;
+  for (const Json& list : json) {
+    lists.push_back(numbers_in(list));
+  }
+  return lists;
+}
+
+void require_length(const std::vector<std::vector<double>>& lists, std::size_t length) {
+  for (const auto& list : lists) {
+    if (list.size() != length) {
+      throw std::out_of_range("the columns of residuals differ in length");
+    }
+  }
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) {
+    largest = std::max(largest, std::isfinite(value) ? std::abs(value) : 0.0);
+  }
+  return largest;
+}
+
+// What a caption says where not every reading is drawn.
+std::string thinned_in_words(std::size_t drawn_count, std::size_t count) {
+  return drawn_count == count ? ""
+                              : fmt::format(
+                                    " Of {} readings {} are drawn, the extremes among them; all numbers are of "
+                                    "all readings.",
+                                    count, drawn_count);
+}
+
+/// A run of readings of one artefact in one placement.
+struct Run {
+  std::string name;
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<Run> runs_of(const Json& features, const std::vector<int>& feature, bool several_artefacts) {
+  std::vector<Run> runs;
+  for (std::size_t i = 0; i < feature.size(); ++i) {
+    const Json& of = features.at(static_cast<std::size_t>(feature[i]));
+    const std::string placement = text_in(of, "placement", "–");
+    const std::string name = shown(several_artefacts ? text_in(of, "artefact") + ", " + placement : placement);
+    if (runs.empty() || runs.back().name != name) {
+      runs.push_back({name, i, i});
+    }
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+double rms_of(const std::vector<double>& values) {
+  double squares = 0.0;
+  for (const double value : values) {
+    squares += value * value;
+  }
+  return values.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+ReportedReadings readings_in(const Json& identification) {
+  const Json& json = identification.at("residuals");
+  ReportedReadings readings{json.at("feature").get<std::vector<int>>(),
+                            lists_in(json.at("joints_rad")),
+                            numbers_in(json.at("before_mm")),
+                            numbers_in(json.at("after_mm")),
+                            lists_in(json.at("tip_mm")),
+                            lists_in(json.at("offset_mm"))};
+  const std::size_t count = readings.feature.size();
+  require_length(readings.joints, count);
+  require_length({readings.before, readings.after}, count);
+  require_length(readings.tip, count);
+  require_length(readings.offset, count);
+  const auto features = static_cast<int>(identification.at("after").at("features").size());
+  const bool known = std::all_of(readings.feature.begin(), readings.feature.end(),
+                                 [&](int feature) { return feature >= 0 && feature < features; });
+  if (readings.tip.size() != 3 || readings.offset.size() != 3 || !known) {
+    throw std::out_of_range("residuals are of features that are not there");
+  }
+  return readings;
+}
+
+Figure residuals_by_placement(const Json& identification, const ReportedReadings& readings) {
+  const Json& after = identification.at("after");
+  const auto runs = runs_of(after.at("features"), readings.feature, after.at("artefacts").size() > 1);
+  std::vector<double> order(readings.after.size());
+  std::iota(order.begin(), order.end(), 0.0);
+  const auto kept = thinned(order, readings.after, most_drawn);
+  const DrawnUnit unit = drawn_unit(largest_of(readings.after));
+  Json x = Json::array(), y = Json::array(), groups = Json::array();
+  for (const int i : kept) {
+    x.push_back(i);
+    y.push_back(drawn(unit.per_mm * readings.after[i]));
+  }
+  for (const Run& run : runs) {
+    groups.push_back({{"name", run.name}, {"begin", run.begin}, {"end", run.end}});
+  }
+  const double rms = rms_of(readings.after);
+  return {"Deviations of the readings by placement, identified arm",
+          fmt::format("rms {} mm (dotted lines), largest {} mm. Each mark is one reading, in the order of placements; "
+                      "neighbouring placements have different marks. Deviations of points have no sign.{}",
+                      mm(rms), mm(largest_of(readings.after)), thinned_in_words(kept.size(), order.size())),
+          {{"kind", "placements"},
+           {"unit", unit.name},
+           {"x", x},
+           {"y", y},
+           {"groups", groups},
+           {"rms", drawn(unit.per_mm * rms)}}};
+}
+
+Figure residuals_by_joint(const ReportedReadings& readings) {
+  const DrawnUnit unit = drawn_unit(largest_of(readings.after));
+  Json panels = Json::array();
+  std::size_t least_drawn = readings.after.size();
+  for (const auto& angles : readings.joints) {
+    const auto kept = thinned(angles, readings.after, most_drawn_a_joint);
+    least_drawn = std::min(least_drawn, kept.size());
+    Json x = Json::array(), y = Json::array();
+    for (const int i : kept) {
+      x.push_back(drawn(angles[i] / units::degree));
+      y.push_back(drawn(unit.per_mm * readings.after[i]));
+    }
+    panels.push_back({{"x", x}, {"y", y}});
+  }
+  return {
+      "Deviations of the readings by joint angle, identified arm",
+      fmt::format("One panel a joint, its angle in degrees across. A wave of one or two periods a turn points to an "
+                  "eccentric encoder, a slope or a step to a joint that gives way.{}",
+                  thinned_in_words(least_drawn, readings.after.size())),
+      {{"kind", "joints"}, {"unit", unit.name}, {"panels", panels}},
+      true};
+}
+
+}  // namespace artcal

@@ -1,0 +1,96 @@
+#include "app/requests/identify_request.h"
+
+#include <fmt/format.h>
+
+#include "app/requests/model_asked.h"
+#include "app/results/identification/identification_run.h"
+#include "core/plausible.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+// The command line replaces the recording's noise as a whole: half of one and half of the other is neither.
+Expected<Noise> noise_of(const IdentifyChoices& choices, const Recording& recording) {
+  if (choices.noise.empty() && choices.encoder_noise.empty() && choices.probing_noise.empty()) {
+    return recording.noise;
+  }
+  const auto given = [](const std::string& text, auto read) { return text.empty() ? std::nullopt : read(text); };
+  const auto as_length = [](const std::string& text) { return length_quantity(text); };
+  const auto as_angle = [](const std::string& text) { return angle_quantity(text); };
+  const Noise noise{given(choices.noise, as_length), given(choices.encoder_noise, as_angle),
+                    given(choices.probing_noise, as_length)};
+  const bool read = noise.reading.has_value() != choices.noise.empty() &&
+                    noise.encoder.has_value() != choices.encoder_noise.empty() &&
+                    noise.probing.has_value() != choices.probing_noise.empty();
+  if (!read || noise.reading.value_or(1.0) <= 0.0 || noise.encoder.value_or(1.0) <= 0.0 ||
+      noise.probing.value_or(1.0) <= 0.0) {
+    return wrong_usage(
+        "a noise is a number above zero with its unit, such as --noise \"15 um\" or --encoder-noise \"2 arcsec\"");
+  }
+  const auto is_plausible = [](const std::optional<double>& value, auto is) { return !value || is(*value); };
+  if (!is_plausible(noise.reading, plausible::is_length_u) || !is_plausible(noise.encoder, plausible::is_angle_u) ||
+      !is_plausible(noise.probing, plausible::is_length_u)) {
+    return wrong_usage(fmt::format("a noise is a standard deviation of {} or, of an encoder, {}; is the unit right?",
+                                   plausible::length_range, plausible::angle_range));
+  }
+  if (noise.reading.has_value() == noise.encoder.has_value() ||
+      noise.encoder.has_value() != noise.probing.has_value()) {
+    return wrong_usage("state either --noise, or --encoder-noise and --probing-noise together");
+  }
+  return noise;
+}
+
+}  // namespace
+
+void IdentifyChoices::add_to(CLI::App& parser, const std::string& group) {
+  parser.add_option("--hold", hold, "parameters to keep at their nominal value, such as l,a1")
+      ->delimiter(',')
+      ->type_name("NAMES")
+      ->group(group);
+  parser.add_option("--free", free, "parameters to identify although they are held by default, such as a6")
+      ->delimiter(',')
+      ->type_name("NAMES")
+      ->group(group);
+  parser
+      .add_option("--model", model,
+                  "what is identified: dh, or dh with groups of parameters behind it, such as dh+eccentricity+gravity "
+                  "(of eccentricity, eccentricity2, gain, coupling, gravity, thermal, hayati, tip, radius); auto adds "
+                  "groups while placements left out improve by more than noise")
+      ->type_name("MODEL")
+      ->group(group);
+  parser.add_option("--loss", loss, "how readings far off count")
+      ->check(CLI::IsMember({"none", "huber", "cauchy"}))
+      ->group(group);
+  parser
+      .add_flag("--accept-misfit", accept_misfit,
+                "write an arm that does not fit its readings all the same, marked as such; by default exit code 4")
+      ->group(group);
+  parser.add_option("--noise", noise, "noise of a reading's coordinate, such as \"15 um\"; else estimated")
+      ->group(group);
+}
+
+void IdentifyChoices::add_noise_of_parts_to(CLI::App& parser) {
+  parser.add_option("--encoder-noise", encoder_noise, "noise of each joint, such as \"2 arcsec\"");
+  parser.add_option("--probing-noise", probing_noise, "noise of the tip beside the joints', such as \"3 um\"");
+}
+
+Expected<IdentifyOptions> IdentifyChoices::options(const Recording& recording) const {
+  IdentifyOptions options = recorded_options(recording);
+  options.hold.insert(options.hold.end(), hold.begin(), hold.end());
+  options.free.insert(options.free.end(), free.begin(), free.end());
+  const auto asked = model_asked(model, recording);
+  if (!asked) {
+    return tl::unexpected(asked.error());
+  }
+  options.model = asked->groups;
+  options.automatic = asked->automatic;
+  options.accept_misfit = accept_misfit;
+  options.loss = loss.empty() ? options.loss : loss_named(loss);
+  return noise_of(*this, recording).map([&](const Noise& given) {
+    options.noise = given;
+    return options;
+  });
+}
+
+}  // namespace artcal

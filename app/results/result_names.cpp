@@ -1,0 +1,52 @@
+#include "app/results/result_names.h"
+
+namespace artcal {
+
+const char* result_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Conforms: return "conforms";
+    case Verdict::DoesNotConform: return "does_not_conform";
+    case Verdict::NothingProven: return "nothing_proven";
+    case Verdict::NotJudged: break;
+  }
+  return "not_judged";
+}
+
+const char* result_name(Conclusion conclusion) {
+  switch (conclusion) {
+    case Conclusion::ConformityShown: return "conformity_shown";
+    case Conclusion::NonConformityShown: return "non_conformity_shown";
+    case Conclusion::NotShown: break;
+  }
+  return "not_shown";
+}
+
+const char* result_name(ParameterState state) {
+  switch (state) {
+    case ParameterState::Held: return "held";
+    case ParameterState::Weak: return "weak";
+    case ParameterState::Lost: return "lost";
+    case ParameterState::Identified: break;
+  }
+  return "identified";
+}
+
+Verdict verdict_named(std::string_view word) {
+  for (const Verdict verdict : {Verdict::Conforms, Verdict::DoesNotConform, Verdict::NothingProven}) {
+    if (word == result_name(verdict)) {
+      return verdict;
+    }
+  }
+  return Verdict::NotJudged;
+}
+
+Conclusion conclusion_named(std::string_view word) {
+  for (const Conclusion conclusion : {Conclusion::ConformityShown, Conclusion::NonConformityShown}) {
+    if (word == result_name(conclusion)) {
+      return conclusion;
+    }
+  }
+  return Conclusion::NotShown;
+}
+
+}  // namespace artcal

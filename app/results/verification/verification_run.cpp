@@ -1,0 +1,66 @@
+#include "app/results/verification/verification_run.h"
+
+#include <algorithm>
+
+#include "app/output/phrases.h"
+#include "app/results/verification/earlier_values.h"
+
+namespace artcal {
+namespace {
+
+Standard standard_named(const std::string& name) {
+  return name == "b89.4.22"       ? Standard::B89_4_22
+         : name == "sphere-plate" ? Standard::SpherePlate
+                                  : Standard::Iso10360_12;
+}
+
+// Whether a warning of the artefacts is among what is missing already.
+bool is_noted(const Verification& verification, const std::string& warning) {
+  const auto begins = [&](const std::string& text) { return text.starts_with(warning); };
+  return std::any_of(verification.missing.begin(), verification.missing.end(), begins) ||
+         std::any_of(verification.waived.begin(), verification.waived.end(), begins);
+}
+
+}  // namespace
+
+Expected<VerificationResult> run_verification(VerificationMaterial& material, const std::string& named,
+                                              const std::string& against) {
+  const std::string standard = named.empty() ? material.recording.verify.standard : named;
+  if (standard.empty()) {
+    return wrong_usage(
+        "what is the arm to be judged by? Give --standard iso10360-12, b89.4.22 or sphere-plate, or write it into the "
+        "recording: [verify] with standard = \"iso10360-12\"");
+  }
+  std::vector<TestValue> earlier;
+  if (!against.empty()) {
+    auto read = read_earlier_values(against, standard, material.recording.inputs);
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    earlier = std::move(*read);
+    material.specification.plan = TestPlan{};  // a few lengths are enough
+  }
+  auto result = verify(material.session(), standard_named(standard));
+  if (!result) {
+    return tl::unexpected(with_warnings(result.error(), material.recording.warnings));
+  }
+  if (!against.empty()) {
+    result->interim = compare(result->verification.values, earlier);
+  }
+  auto& warnings = result->verification.warnings;
+  auto of_artefacts = material.constraints.warnings;
+  std::erase_if(of_artefacts, [&](const std::string& text) { return is_noted(result->verification, text); });
+  warnings.insert(warnings.begin(), of_artefacts.begin(), of_artefacts.end());
+  warnings.insert(warnings.begin(), material.recording.warnings.begin(), material.recording.warnings.end());
+  return result;
+}
+
+bool is_shown(const VerificationResult& result) {
+  if (const auto& interim = result.interim) {
+    return interim->any_told() && !interim->any_significant() &&
+           result.verification.conclusion != Conclusion::NonConformityShown;
+  }
+  return result.verification.conclusion == Conclusion::ConformityShown;
+}
+
+}  // namespace artcal

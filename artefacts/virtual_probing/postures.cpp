@@ -1,0 +1,65 @@
+#include "artefacts/virtual_probing/postures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "acquisition/arm/forward_kinematics.h"
+
+namespace artcal {
+
+Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
+  Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
+  for (double& angle : q) {
+    angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+  }
+  return q;
+}
+
+Eigen::Vector3d tip_at(const Arm& arm, int probe, const Eigen::VectorXd& q) {
+  std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
+  const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+  joint_sines(angles, sines);
+  return Sweep(arm, {}, probe).tip_in_base({sines, angles});
+}
+
+std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                           Eigen::VectorXd start, double arm_temperature) {
+  const Sweep sweep(arm, {}, probe);
+  const double length = reach(arm);
+  std::vector<double> sines(2 * arm.joints.size());
+  Eigen::Matrix3Xd by_joints(3, start.size());
+  Eigen::VectorXd& q = start;
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
+    joint_sines(angles, sines);
+    const Eigen::Vector3d miss =
+        target_in_base - sweep.tip_by_joints({sines, angles, arm_temperature}, by_joints.data());
+    if (miss.norm() <= 1e-13 * length) {
+      return q;
+    }
+    // Damping that fades with the miss: steady far away, quadratic near.
+    const double damping = 1e-3 * length * std::min(miss.norm(), length) + 1e-16 * length * length;
+    const Eigen::Matrix3d normal = by_joints * by_joints.transpose() + damping * Eigen::Matrix3d::Identity();
+    Eigen::VectorXd step = by_joints.transpose() * normal.ldlt().solve(miss);
+    const double largest = step.cwiseAbs().maxCoeff();
+    q += (largest > 0.5 ? 0.5 / largest : 1.0) * step;
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::VectorXd> posture_at(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
+                                          RandomStream& random, int starts) {
+  for (int start = 0; start < starts; ++start) {
+    if (auto q = reach_point(arm, probe, place_in_base, random_posture(arm, random))) {
+      return q;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace artcal

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "acquisition/arm/arm.h"
+#include "core/random.h"
+
+namespace artcal {
+
+/// Every joint anywhere on its circle, rad.
+Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random);
+
+/// Where the tip is when the joints read q (rad), in the base frame, mm.
+Eigen::Vector3d tip_at(const Arm& arm, int probe, const Eigen::VectorXd& q);
+
+/// Joint angles (rad) that put the tip at a point of the base frame, found from `start` by damped
+/// Gauss-Newton; the redundancy of the arm keeps the posture near the start. Nothing if the point cannot
+/// be reached from there. The tip is within 1e-13 of the reach. `arm_temperature` as in JointSines.
+std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                           Eigen::VectorXd start,
+                                           double arm_temperature = std::numeric_limits<double>::quiet_NaN());
+
+/// The same from random postures; nothing where as many `starts` lead nowhere.
+std::optional<Eigen::VectorXd> posture_at(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
+                                          RandomStream& random, int starts = 20);
+
+}  // namespace artcal

@@ -1,0 +1,94 @@
+#include "identification/cross_validation/leave_out.h"
+
+#include <algorithm>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "core/parallel.h"
+#include "identification/least_squares/evaluation_of_system.h"
+#include "identification/uncertainty/unmodelled_errors.h"
+
+namespace artcal {
+namespace {
+
+using Place = std::pair<int, int>;  // artefact, placement
+
+std::vector<Place> places_of(const Constraints& constraints) {
+  std::vector<Place> places;
+  for (const auto& feature : constraints.features) {
+    const Place place{feature.artefact, feature.placement};
+    if (std::find(places.begin(), places.end(), place) == places.end()) {
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+LeftOut leave_out(const System& readings, const Recording& recording, const Constraints& constraints,
+                  const Place& place, const LeavingOut& leaving_out) {
+  std::vector<bool> is_in_place;
+  for (const auto& feature : constraints.features) {
+    is_in_place.push_back(Place{feature.artefact, feature.placement} == place);
+  }
+  LeftOut result;
+  result.deviation.name = {constraints.artefacts[place.first].name, recording.placements.name(place.second), ""};
+  auto refit = leaving_out.refit ? leaving_out.refit(place.first, place.second) : std::nullopt;
+  const auto without = refit ? Expected<ArmWithout>(std::move(*refit))
+                             : leaving_out.identify(without_features(constraints, is_in_place));
+  if (!without) {
+    result.refusal = without.error().text();
+    return result;
+  }
+  is_in_place.flip();
+  const Constraints placement = without_features(constraints, is_in_place);
+  System system = readings;  // with its readings' sines, which do not depend on the arm
+  system.constraints = &placement;
+  system.start = without->arm;
+  system.free.clear();
+  system.scale.resize(0);
+  const auto judged = evaluate(system, recording);
+  if (!judged) {
+    result.refusal = judged.error().text();
+    return result;
+  }
+  result.deviation = judged->placements.front();
+  result.lengths = judged->lengths;
+  std::set<int> groups;
+  for (std::size_t f = 0; f < placement.features.size(); ++f) {
+    const FeatureDeviation& deviation = judged->features[f];
+    result.squares += deviation.readings * deviation.rms * deviation.rms;
+    result.degrees_of_freedom += placement.features[f].size() * placement.features[f].dimension();
+    if (placement.features[f].group >= 0 && groups.insert(placement.features[f].group).second) {
+      result.degrees_of_freedom -= placement.groups[placement.features[f].group].size;
+    }
+  }
+  if (without->sources.covariance.size() > 0) {
+    result.predictions = check_predictions(recording, placement, *judged, without->arm, without->sources);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<LeftOut> leave_placements_out(const System& readings, const Recording& recording,
+                                          const Constraints& constraints, const LeavingOut& leaving_out) {
+  const auto places = places_of(constraints);
+  if (places.size() < 2) {
+    return {};
+  }
+  std::vector<LeftOut> results(places.size());
+  std::mutex counting;
+  std::size_t done = 0;
+  parallel_for(places.size(), leaving_out.threads, [&](std::size_t i) {
+    results[i] = leave_out(readings, recording, constraints, places[i], leaving_out);
+    if (leaving_out.progress) {
+      const std::lock_guard lock(counting);
+      leaving_out.progress("leave-one-placement-out cross-validation", ++done, places.size());
+    }
+  });
+  return results;
+}
+
+}  // namespace artcal

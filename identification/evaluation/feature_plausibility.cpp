@@ -1,0 +1,121 @@
+#include "identification/evaluation/feature_plausibility.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/statistics.h"
+#include "core/text/in_quotes.h"
+
+namespace artcal {
+namespace {
+
+constexpr double unusual = 5.0;  // times the median
+// How often one of the features or distances of a sound recording may stand out, however many there are (Bonferroni).
+constexpr double false_alarms = 0.001;
+// Standard uncertainties by which a certified length may be off before it must be another length.
+constexpr double beyond_certificate = 10.0;
+// Unknowns that the readings of a ball, a point or a plane settle at most.
+constexpr int own_unknowns = 3;
+constexpr double smallest = 1e-300;  // of exact readings
+
+/// How large something is, and how large for chance.
+struct Size {
+  double millimetres = 0.0;
+  double multiple = 0.0;  ///< of what is expected of it; half of a sound recording's are below 1
+  double limit = 0.0;     ///< of the multiple, which the worst of a sound recording hardly exceeds
+};
+
+// The largest multiple of all that exceed `far_off`, what is usual and their limit; nothing where none does.
+std::optional<std::size_t> standing_out(const std::vector<Size>& sizes, double far_off) {
+  if (sizes.empty()) {
+    return std::nullopt;
+  }
+  std::vector<double> millimetres, multiples;
+  for (const Size& size : sizes) {
+    millimetres.push_back(size.millimetres);
+    multiples.push_back(size.multiple);
+  }
+  const double usual_size = median(millimetres);
+  const double usual_multiple = std::max(1.0, median(multiples));
+  std::optional<std::size_t> worst;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (sizes[i].millimetres > std::max(far_off, unusual * usual_size) &&
+        sizes[i].multiple > std::max(unusual, sizes[i].limit) * usual_multiple &&
+        (!worst || sizes[i].multiple > sizes[*worst].multiple)) {
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+double spare_readings(const FeatureDeviation& feature) { return std::max(1, feature.readings - own_unknowns); }
+
+// The standard deviation of a reading by the median of the features: n·rms² is σ²χ² with the readings to spare.
+double usual_deviation(const std::vector<FeatureDeviation>& features) {
+  std::vector<double> deviations;
+  for (const FeatureDeviation& feature : features) {
+    deviations.push_back(feature.rms *
+                         std::sqrt(feature.readings / chi_squared_quantile(0.5, spare_readings(feature))));
+  }
+  return deviations.empty() ? 0.0 : median(deviations);
+}
+
+Size size_of(const FeatureDeviation& feature, double sigma, std::size_t count) {
+  const double middle = chi_squared_quantile(0.5, spare_readings(feature));
+  const double most = chi_squared_quantile(1.0 - false_alarms / static_cast<double>(count), spare_readings(feature));
+  return {feature.rms, feature.rms * std::sqrt(feature.readings / middle) / std::max(sigma, smallest),
+          std::sqrt(most / middle)};
+}
+
+// Of a length that is known to millimetres only, millimetres say nothing.
+Size size_of(const LengthDeviation& length, double sigma, std::size_t count) {
+  const double error = std::abs(length.error);
+  if (error <= beyond_certificate * length.u) {
+    return {};
+  }
+  const double u = std::max(std::hypot(length.u, sigma * length.gain), smallest);
+  return {error, sigma_per_median() * error / u,
+          sigma_per_median() * normal_quantile(1.0 - 0.5 * false_alarms / static_cast<double>(count))};
+}
+
+template <typename Deviation>
+const Deviation* standing_out(const std::vector<Deviation>& deviations, double sigma, double far_off) {
+  std::vector<Size> sizes;
+  for (const Deviation& deviation : deviations) {
+    sizes.push_back(size_of(deviation, sigma, deviations.size()));
+  }
+  const auto worst = standing_out(sizes, far_off);
+  return worst ? &deviations[*worst] : nullptr;
+}
+
+}  // namespace
+
+std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation, double far_off) {
+  const auto* feature = standing_out(evaluation.features, usual_deviation(evaluation.features), far_off);
+  if (feature == nullptr) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the readings of feature {} in placement {} are {:.3g} mm rms off an arm that fits the others (were all of them "
+      "taken on that feature, and on the artefact described?)",
+      in_quotes(feature->name.feature), in_quotes(feature->name.placement), feature->rms);
+}
+
+std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off) {
+  if (auto feature = feature_that_stands_out(evaluation, far_off)) {
+    return feature;
+  }
+  const auto* length = standing_out(evaluation.lengths, usual_deviation(evaluation.features), far_off);
+  if (length == nullptr) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "the distance of {} and {} in placement {} is measured {:+.3g} mm off its certified {:.6g} mm with an arm that "
+      "fits the others (have these features each other's names?)",
+      in_quotes(length->first.feature), in_quotes(length->second), in_quotes(length->first.placement), length->error,
+      length->certified.value);
+}
+
+}  // namespace artcal

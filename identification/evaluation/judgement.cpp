@@ -1,0 +1,153 @@
+#include "identification/evaluation/judgement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "acquisition/arm/joint_error_keys.h"
+#include "core/statistics.h"
+#include "core/units.h"
+#include "identification/evaluation/feature_plausibility.h"
+
+namespace artcal {
+namespace {
+
+// What stands out by more, mm, is worth a warning; by more than the second it is no reading of what it is said to be.
+constexpr double a_slip = 0.3;
+constexpr double another_place = 2.0;
+constexpr std::size_t max_readings_named = 5;
+
+}  // namespace
+
+void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result) {
+  result.noise = fit.noise;
+  result.degrees_of_freedom = agreement.degrees_of_freedom;
+  result.chi_squared = agreement.chi_squared;
+  result.chi_squared_low = agreement.low;
+  result.chi_squared_high = agreement.high;
+  if (!result.noise_is_given) {
+    return;
+  }
+  if (result.chi_squared > result.chi_squared_high) {
+    result.enlargement = std::max(1.0, agreement.ratio);
+    result.warnings.push_back(
+        fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
+                    "the noise is larger, or the arm has errors this model does not know; all "
+                    "standard uncertainties were enlarged by that factor",
+                    result.enlargement));
+  } else if (result.chi_squared < result.chi_squared_low) {
+    result.warnings.push_back(
+        fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
+                    "too large, and so are the standard uncertainties",
+                    agreement.ratio));
+  }
+}
+
+Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters) {
+  std::string absurd, names;
+  for (const IdentifiedParameter& p : parameters) {
+    if (p.state == ParameterState::Identified && p.parameter.is_joint_error() &&
+        (!(std::abs(p.identified) <= most_of(p.parameter.kind)) ||
+         (p.parameter.kind == ParameterKind::Compliance && p.identified < 0.0))) {
+      absurd += fmt::format("{}{} = {:.3g} with a standard uncertainty of {:.2g}", absurd.empty() ? "" : ", ",
+                            p.parameter.name, p.identified, p.u);
+      names += (names.empty() ? "" : ",") + p.parameter.name;
+    }
+  }
+  if (absurd.empty()) {
+    return {};
+  }
+  return no_solution(
+      fmt::format("no joint that works has such errors: {} (rad, rad/rad, rad/(N mm), 1/K); these "
+                  "readings hardly tell them. Leave the group out of the model, or hold them: --hold {}",
+                  absurd, names));
+}
+
+std::vector<std::string> suspicions(const Identification& result, double length) {
+  std::vector<std::string> warnings;
+  for (const auto& parameter : result.parameters) {
+    const double moved = std::abs(parameter.identified - parameter.nominal);
+    if (parameter.parameter.is_angle() && moved > 5.0 * units::degree) {
+      warnings.push_back(
+          fmt::format("{} moved by {:.3g} deg from its nominal value: are joint order, signs and units "
+                      "right?",
+                      parameter.parameter.name, moved / units::degree));
+    } else if (parameter.parameter.is_length() && moved > 0.05 * length) {
+      warnings.push_back(fmt::format("{} moved by {:.4g} mm from its nominal value: is this the arm that was read?",
+                                     parameter.parameter.name, moved));
+    }
+  }
+  if (!result.noise_is_given && result.noise < 1e-6) {
+    warnings.push_back(
+        "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
+        "real arm");
+  }
+  if (const auto strange = what_stands_out(result.after, a_slip)) {
+    warnings.push_back(*strange);
+  }
+  if (result.after.overall.rms > result.before.overall.rms) {
+    warnings.push_back("the identified arm fits the readings no better than the nominal one");
+  }
+  double squares = 0.0;
+  int count = 0;
+  for (const auto& left : result.left_out) {
+    squares += left.deviation.readings * left.deviation.rms * left.deviation.rms;
+    count += left.deviation.readings;
+  }
+  if (count > 0 && std::sqrt(squares / count) > 1.5 * result.after.overall.rms) {
+    warnings.push_back(
+        fmt::format("placements that were left out fit {:.1f} times worse than those identified from: "
+                    "the readings are few, or too much alike, for so many parameters",
+                    std::sqrt(squares / count) / result.after.overall.rms));
+  }
+  return warnings;
+}
+
+void mark_weak(std::vector<std::string> names, Identification& result) {
+  if (names.empty()) {
+    return;
+  }
+  for (IdentifiedParameter& parameter : result.parameters) {
+    if (std::find(names.begin(), names.end(), parameter.parameter.name) != names.end()) {
+      parameter.state = ParameterState::Weak;
+    }
+  }
+  result.warnings.push_back(fmt::format(
+      "these readings alone do not determine {} within 10 mm or 3 deg, and the estimation does not converge to a "
+      "plausible arm: a weak prior about the nominal values (standard deviation 10 mm or 3 deg) was added, which "
+      "decides {} of {} parameters and is counted in the uncertainties. More varied postures, or --hold, make it "
+      "unnecessary",
+      fmt::join(names, ", "), names.size(), result.free.size()));
+  result.weak = std::move(names);
+}
+
+Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where) {
+  std::string found = fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). ",
+                                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s");
+  if (!where.empty()) {
+    const std::size_t shown = std::min(where.size(), max_readings_named);
+    found += fmt::format(
+        "An arm fits all but {} reading{}: {}{}. Correct or remove {}. --loss cauchy identifies without "
+        "{}",
+        where.size(), where.size() == 1 ? "" : "s",
+        fmt::join(where.begin(), where.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
+        shown < where.size() ? ", …" : "", where.size() == 1 ? "it" : "them", where.size() == 1 ? "it" : "them");
+  } else {
+    found +=
+        "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
+        "order, signs and units of the arm's file; --model auto looks for errors that the model lacks";
+  }
+  return {ErrorCode::NoSolution, found + "; --accept-misfit writes the arm all the same", {}};
+}
+
+Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {
+  const auto evaluation = evaluate(recording, constraints, start);
+  if (const auto strange = evaluation ? what_stands_out(*evaluation, another_place) : std::nullopt) {
+    error.message = "no arm fits these readings: " + *strange + "; " + error.message;
+  }
+  return error;
+}
+
+}  // namespace artcal

@@ -1,0 +1,148 @@
+#include "identification/least_squares/residual.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace artcal {
+namespace {
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+// exp(w + δ) = exp(w)·exp(Jr(w)·δ) to first order (Chirikjian 2012, vol. 2, Eq. 10.86).
+Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& w) {
+  const double angle2 = w.squaredNorm();
+  const Eigen::Matrix3d k = cross_matrix(w);
+  if (angle2 < 1e-12) {
+    return Eigen::Matrix3d::Identity() - 0.5 * k + k * k / 6.0;
+  }
+  const double angle = std::sqrt(angle2);
+  return Eigen::Matrix3d::Identity() - (1.0 - std::cos(angle)) / angle2 * k +
+         (angle - std::sin(angle)) / (angle2 * angle) * k * k;
+}
+
+}  // namespace
+
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turning) {
+  const double angle = turning.norm();
+  if (angle == 0.0) {
+    return Eigen::Matrix3d::Identity();
+  }
+  return Eigen::AngleAxisd(angle, turning / angle).toRotationMatrix();
+}
+
+Rigid base_from_artefact(const GroupState& group) {
+  return {group.reference.rotation * rotation_of(group.values.head<3>()), group.values.segment<3>(3)};
+}
+
+// With m = (s/size, t/size, 1) the direction is Q·m/|m|, and its derivative Q·(1 − m mᵀ/|m|²)/|m| · ∂m.
+PlaneAxis::PlaneAxis(const GroupReference& reference, const double* group_values) : origin(reference.origin) {
+  const Eigen::Vector3d m(group_values[0] / reference.size, group_values[1] / reference.size, 1.0);
+  const double length = m.norm();
+  direction = reference.rotation * m / length;
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - direction * direction.transpose();
+  by_tilts = across * reference.rotation.leftCols<2>() / (length * reference.size);
+}
+
+FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const GroupReference& reference,
+                                 const double* group_values, const double* shared)
+    : constraint_(constraint) {
+  if (constraint.location == Location::Unknown && constraint.demand == Demand::OnPlane) {
+    columns_ = 3;
+    column_[2] = constraint.offset;
+    axis_ = PlaneAxis(reference, group_values);
+    place_ = group_values[constraint.offset] + constraint.height;
+    side_ = constraint.facing != 0.0 ? constraint.facing : reference.sides[constraint.offset - 2];
+  } else if (constraint.location == Location::Unknown) {
+    columns_ = 3;
+    column_ = {constraint.offset, constraint.offset + 1, constraint.offset + 2};
+    point_in_base_ = Eigen::Vector3d::Map(group_values + constraint.offset);
+  } else if (constraint.location == Location::Posed) {
+    columns_ = 6;
+    const Eigen::Vector3d turning = Eigen::Vector3d::Map(group_values);
+    artefact_from_base_ = (reference.rotation * rotation_of(turning)).transpose();
+    origin_in_base_ = Eigen::Vector3d::Map(group_values + 3);
+    right_jacobian_ = right_jacobian(turning);
+  }
+  if (constraint.first_error >= 0) {
+    error_ = constraint.expansion * Eigen::Vector3d::Map(shared + constraint.first_error);
+  }
+  ball_radius_ =
+      constraint.shared_radius >= 0 ? constraint.expansion * shared[constraint.shared_radius] : constraint.radius;
+}
+
+Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, double tip_radius) const {
+  Residual r;
+  r.rows = 1;
+  const Eigen::Vector3d from_origin = tip_in_base - axis_.origin;
+  r.value[0] = side_ * (axis_.direction.dot(from_origin) - place_) - tip_radius;
+  if (constraint_.first_error >= 0) {
+    r.value[0] -= constraint_.normal.dot(error_);
+    r.by_errors.row(0) = -constraint_.expansion * constraint_.normal.transpose();
+  }
+  r.by_tip.row(0) = side_ * axis_.direction.transpose();
+  r.by_unknowns.row(0).head<2>() = side_ * from_origin.transpose() * axis_.by_tilts;
+  r.by_unknowns(0, 2) = -side_;
+  r.by_tip_radius = -1.0;
+  return r;
+}
+
+Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, double tip_radius,
+                             bool derivatives) const {
+  if (constraint_.location == Location::Unknown && constraint_.demand == Demand::OnPlane) {
+    return at_unknown_plane(tip_in_base, tip_radius);
+  }
+  Residual r;
+  r.rows = constraint_.dimension();
+  const bool posed = constraint_.location == Location::Posed;
+  Eigen::Vector3d e;
+  if (constraint_.location == Location::Unknown) {
+    e = tip_in_base - point_in_base_;
+  } else if (posed) {
+    e = artefact_from_base_ * (tip_in_base - origin_in_base_);
+  } else {
+    e = tip_in_base - constraint_.known[reading] - error_;
+  }
+  if (derivatives) {
+    if (posed) {
+      r.by_tip = artefact_from_base_;
+      r.by_unknowns.leftCols<3>() = cross_matrix(e) * right_jacobian_;
+      r.by_unknowns.rightCols<3>() = -artefact_from_base_;
+    } else {
+      r.by_tip.setIdentity();
+      r.by_unknowns.leftCols<3>() = -Eigen::Matrix3d::Identity();
+    }
+    r.by_errors = -constraint_.expansion * Eigen::Matrix3d::Identity();
+  }
+  if (posed) {
+    e -= constraint_.known[reading] + error_;
+  }
+  if (constraint_.demand == Demand::Coincide) {
+    r.value = e;
+    return r;
+  }
+  Eigen::RowVector3d direction = constraint_.normal.transpose();
+  if (constraint_.demand == Demand::OnPlane) {
+    r.value[0] = direction * e - tip_radius;
+  } else {
+    const double distance = e.norm();
+    // At the centre itself the direction is undefined; any one will do to leave it.
+    direction = distance > 0.0 ? Eigen::RowVector3d(e.transpose() / distance) : Eigen::RowVector3d(0.0, 0.0, 1.0);
+    const bool ball = constraint_.demand == Demand::OnBall;
+    r.value[0] = distance - (ball ? ball_radius_ + tip_radius : constraint_.distances[reading]);
+  }
+  if (derivatives) {
+    r.by_tip.row(0) = direction * r.by_tip;
+    r.by_unknowns.row(0).head(columns_) = direction * r.by_unknowns.leftCols(columns_);
+    r.by_errors.row(0) = direction * r.by_errors;
+    r.by_tip_radius = constraint_.demand == Demand::AtDistance ? 0.0 : -1.0;
+    r.by_ball_radius = -constraint_.expansion;
+  }
+  return r;
+}
+
+}  // namespace artcal

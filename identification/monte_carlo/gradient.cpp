@@ -1,0 +1,106 @@
+#include "identification/monte_carlo/gradient.h"
+
+#include <algorithm>
+
+namespace artcal {
+namespace {
+
+constexpr int readings_at_once = 32;
+
+// Each reading's residuals by the slope of the loss.
+void reweight(Loss loss, int dimension, const FeatureWeights& weights, int reading,
+              Eigen::Ref<Eigen::VectorXd> residuals) {
+  for (Eigen::Index first = 0; first < residuals.size(); first += dimension, ++reading) {
+    auto own = residuals.segment(first, dimension);
+    own *= loss_of(loss, own.squaredNorm(), expected_square(weights, reading, dimension)).slope;
+  }
+}
+
+}  // namespace
+
+GradientScratch gradient_scratch(const System& system) {
+  GradientScratch scratch{blocks_of(*system.constraints), {}, Eigen::VectorXd(3 * readings_at_once)};
+  int columns = 0;
+  for (const Block& block : scratch.blocks) {
+    columns = std::max(columns, block.nuisance() + system.arm_size() + 1);
+  }
+  scratch.rows.resize(3 * readings_at_once, columns);
+  return scratch;
+}
+
+Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss, const NumberLayout& layout,
+                         const Unknowns& unknowns, const Eigen::VectorXd& numbers, GradientScratch& scratch) {
+  const Constraints& constraints = *system.constraints;
+  const auto sweeps = sweeps_of(system, system.arm_at(numbers.data() + layout.arm));
+  const double* shared = numbers.data() + layout.common;
+  const GroupReference none;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
+  auto by_arm = sum.tail(system.arm_size());
+  Eigen::VectorXd row;
+  for (const Block& block : scratch.blocks) {
+    const Eigen::Index at = block.group < 0 ? 0 : layout.groups[block.group];
+    const GroupReference& reference = block.group < 0 ? none : unknowns.groups[block.group].reference;
+    const double* values = numbers.data() + at;
+    auto by_group = sum.segment(at, block.unknowns);
+    auto by_parameters = sum.segment(layout.common + block.parameters.first, block.parameters.size);
+    const int before_arm = block.nuisance();
+    const int columns = before_arm + system.arm_size() + 1;
+    Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_at_once, columns);
+    for (const int f : block.features) {
+      const FeatureConstraint& feature = constraints.features[f];
+      const FeatureResidual residual(feature, reference, values, shared);
+      rows.leftCols(before_arm).setZero();  // each feature fills its own columns only
+      for (int first = 0; first < feature.size(); first += readings_at_once) {
+        const int count = std::min(readings_at_once, feature.size() - first);
+        const Eigen::Index used = count * feature.dimension();
+        weighted_rows(
+            system, feature, weights.features[f], sweeps, residual, first, count,
+            {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
+             block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
+        auto r = scratch.residuals.head(used);
+        r = rows.col(columns - 1).head(used);
+        if (loss != Loss::None) {
+          reweight(loss, feature.dimension(), weights.features[f], first, r);
+        }
+        by_group.noalias() += rows.topLeftCorner(used, block.unknowns).transpose() * r;
+        by_parameters.noalias() += rows.block(0, block.unknowns, used, block.parameters.size).transpose() * r;
+        by_arm.noalias() += rows.block(0, before_arm, used, system.arm_size()).transpose() * r;
+      }
+    }
+    row.resize(block.unknowns);
+    for (const int d : block.distances) {
+      const double r =
+          weighted_distance(constraints.distances[d], constraints, weights.distances[d], values, row.data());
+      const double slope =
+          loss_reaches_distances(loss, weights) ? loss_of(loss, r * r, weights.distance_variance[d]).slope : 1.0;
+      by_group += slope * r * row;
+    }
+    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
+      const int s = block.parameters.first + i;
+      const double r = weighted_shared(constraints.shared[s], weights.shared[s], shared[s]);
+      const double slope =
+          loss_reaches_shared(loss, weights) ? loss_of(loss, r * r, weights.shared_variance[s]).slope : 1.0;
+      by_parameters[i] += slope * weights.shared[s] * r;
+    }
+  }
+  return sum;
+}
+
+Eigen::VectorXd gradient(const Linearisation& linearisation) {
+  const NumberLayout& layout = linearisation.layout;
+  const Eigen::Index arm_size = layout.size - layout.arm;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
+  for (const BlockRows& block : linearisation.blocks) {
+    const Eigen::VectorXd all =
+        block.rows.leftCols(block.nuisance() + arm_size).transpose() * block.rows.rightCols<1>();
+    if (block.group >= 0) {
+      sum.segment(layout.groups[block.group], block.unknowns) += all.head(block.unknowns);
+    }
+    sum.segment(layout.common + block.parameters.first, block.parameters.size) +=
+        all.segment(block.unknowns, block.parameters.size);
+    sum.tail(arm_size) += all.tail(arm_size);
+  }
+  return sum;
+}
+
+}  // namespace artcal

@@ -1,0 +1,135 @@
+#include "identification/monte_carlo/trial_inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "core/random.h"
+#include "core/statistics.h"
+#include "identification/monte_carlo/turned_joints.h"
+#include "identification/problem/certified_distances.h"
+
+namespace artcal {
+namespace {
+
+using Place = std::pair<int, int>;  // artefact, placement
+
+Place place_of(const FeatureConstraint& feature) { return {feature.artefact, feature.placement}; }
+
+}  // namespace
+
+TrialInputs::TrialInputs(const System& system, const Recording& recording, const InputSpread& spread)
+    : base_(system),
+      spread_(spread),
+      above_reference_(above_reference(*system.constraints, recording)),
+      certificates_(certified_distances(*system.constraints)),
+      constraints_(*system.constraints),
+      drawn_(system) {
+  drawn_.constraints = &constraints_;
+  drawn_.shifts.assign(system.probes.size(), Eigen::Vector3d::Zero());
+}
+
+void TrialInputs::draw(std::uint64_t seed, std::uint64_t trial) {
+  draw_readings(seed, trial);
+  draw_certificates(seed, trial);
+  if (spread_.arm_temperature > 0.0) {
+    draw_arm_temperatures(seed, trial);
+  }
+}
+
+void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
+  RandomStream random(seed, "trial: readings", trial);
+  double factor = spread_.enlargement;
+  if (spread_.degrees_of_freedom) {
+    // Away from the very ends, where a quantile is not finite.
+    const double p = std::clamp(random.uniform(), 1e-12, 1.0 - 1e-12);
+    factor *= std::sqrt(*spread_.degrees_of_freedom / chi_squared_quantile(p, *spread_.degrees_of_freedom));
+  }
+  const double probing = factor * spread_.probing;
+  for (Eigen::Vector3d& shift : drawn_.shifts) {
+    for (double& coordinate : shift) {
+      coordinate = probing * random.normal();
+    }
+  }
+  if (spread_.encoder > 0.0) {
+    drawn_.joints = base_.joints;
+    drawn_.sines = base_.sines;
+    turn_joints(drawn_.joints, drawn_.sines, factor * spread_.encoder, random);
+  }
+  for (std::size_t f = 0; f < constraints_.features.size(); ++f) {
+    FeatureConstraint& feature = constraints_.features[f];
+    if (feature.u > 0.0) {
+      const FeatureConstraint& read = base_.constraints->features[f];
+      const double u = spread_.enlargement * feature.u;
+      for (std::size_t k = 0; k < feature.distances.size(); ++k) {
+        feature.distances[k] = read.distances[k] + u * random.normal();
+      }
+      for (std::size_t k = 0; feature.distances.empty() && k < feature.known.size(); ++k) {
+        feature.known[k] = read.known[k] + u * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+      }
+    }
+  }
+}
+
+void TrialInputs::draw_certificates(std::uint64_t seed, std::uint64_t trial) {
+  const Constraints& stated = *base_.constraints;
+  RandomStream random(seed, "trial: certificates", trial);
+  const double enlargement = spread_.enlargement;
+  for (std::size_t s = 0; s < stated.shared.size(); ++s) {
+    constraints_.shared[s].certified = stated.shared[s].certified + enlargement * stated.shared[s].u * random.normal();
+  }
+  std::vector<double> expansion;
+  for (const Artefact& artefact : stated.artefacts) {
+    expansion.push_back(artefact.expansion + enlargement * artefact.u_expansion * random.normal());
+  }
+  std::vector<double> errors;  // of certified distances at the reference temperature, mm
+  for (const Artefact& artefact : stated.artefacts) {
+    for (const CertifiedDistance& distance : artefact.distances) {
+      errors.push_back(enlargement * distance.u * random.normal());
+    }
+  }
+  std::map<Place, double> temperature_errors;
+  std::vector<double> growth(stated.features.size());  // drawn length / stated length, of each feature's placement
+  for (std::size_t f = 0; f < stated.features.size(); ++f) {
+    const FeatureConstraint& before = stated.features[f];
+    const auto [entry, is_new] = temperature_errors.try_emplace(place_of(before), 0.0);
+    if (is_new) {
+      entry->second = enlargement * spread_.temperature * random.normal();
+    }
+    const double factor = 1.0 + expansion[before.artefact] * (above_reference_[f] + entry->second);
+    growth[f] = factor / before.expansion;
+    FeatureConstraint& feature = constraints_.features[f];
+    feature.expansion = factor;
+    feature.radius = growth[f] * before.radius;
+    feature.height = growth[f] * before.height;
+    const bool by_another_instrument =
+        stated.artefacts[before.artefact].features[before.feature].kind == FeatureKind::Coordinates;
+    for (std::size_t k = 0; !by_another_instrument && k < before.known.size(); ++k) {
+      feature.known[k] = growth[f] * before.known[k];
+    }
+  }
+  for (std::size_t d = 0; d < stated.distances.size(); ++d) {
+    const DistanceConstraint& before = stated.distances[d];
+    const double factor = constraints_.features[before.first].expansion;
+    constraints_.distances[d].value =
+        growth[before.first] * before.value + (certificates_[d] < 0 ? 0.0 : factor * errors[certificates_[d]]);
+  }
+}
+
+void TrialInputs::draw_arm_temperatures(std::uint64_t seed, std::uint64_t trial) {
+  RandomStream random(seed, "trial: arm temperatures", trial);
+  std::map<int, double> errors;  // of each placement
+  for (const FeatureConstraint& feature : constraints_.features) {
+    const auto [entry, is_new] = errors.try_emplace(feature.placement, 0.0);
+    if (is_new) {
+      entry->second = spread_.enlargement * spread_.arm_temperature * random.normal();
+    }
+    for (const int reading : feature.readings) {
+      const auto k = static_cast<std::size_t>(reading);
+      drawn_.temperatures[k] = base_.temperatures[k] + entry->second;
+    }
+  }
+}
+
+}  // namespace artcal

@@ -1,0 +1,112 @@
+#include "identification/problem/preparation.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "acquisition/recording/tip_centres.h"
+#include "identification/identifiability/coupling_analysis.h"
+#include "identification/identifiability/selection.h"
+#include "identification/problem/start.h"
+
+namespace artcal {
+namespace {
+
+Error scale_is_lost() {
+  return {
+      ErrorCode::NoSolution,
+      "no calibrated length is in these readings, so the scale of the arm cannot be told: all lengths could grow "
+      "together and every reading would still fit. Measure a certified length as well: a ball bar or a bar with two "
+      "seats or parallel faces (at least one distance with its U), balls of known diameter, or points of known "
+      "coordinates",
+      {}};
+}
+
+// Whether the model makes sense here, and the readings have what it needs.
+Expected<void> check_model(const Recording& recording, const IdentifyOptions& options) {
+  for (const ParameterGroup group : options.model) {
+    if (const std::string obstacle = obstacle_to(group, recording.arm, recording); !obstacle.empty()) {
+      return wrong_usage(fmt::format("the model has the group {}, but {}", name_of(group), obstacle));
+    }
+  }
+  const auto all = all_parameters(recording.arm);
+  const bool frees_expansion = std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    return parameter.kind == ParameterKind::Expansion &&
+           std::find(options.free.begin(), options.free.end(), parameter.name) != options.free.end();
+  });
+  return expands(recording.arm) || frees_expansion ? require_arm_temperatures(recording) : Expected<void>{};
+}
+
+// The parameters free at `start`, which differs from `nominal` by what an alignment or an identification found.
+Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Recording& recording,
+                                  const Constraints& constraints, const Selection& selection, const Noise& noise) {
+  CouplingOptions coupling_request = coupling_options(selection);
+  coupling_request.noise = noise;
+  auto analysis = analyse(recording, constraints, start, coupling_request);
+  if (!analysis) {
+    return tl::unexpected(analysis.error());
+  }
+  if (analysis->coupling.scale == ScaleState::Lost) {
+    return tl::unexpected(scale_is_lost());
+  }
+  auto free = free_parameters(selection, analysis->coupling);
+  if (!free) {
+    return tl::unexpected(free.error());
+  }
+  if (free->empty()) {
+    return no_solution("nothing is left to identify: every parameter is held or lost");
+  }
+  Preparation preparation{nominal, std::move(analysis->coupling), std::move(*free), {}};
+  const auto& asked = preparation.coupling.parameters;
+  std::vector<int> kept;
+  // Held parameters stay nominal, fitted tip or not.
+  for (const Parameter& parameter : preparation.free) {
+    set_value(preparation.start, parameter, value(start, parameter));
+    kept.push_back(find_parameter(asked, parameter.name));
+  }
+  const bool starts_there = std::all_of(asked.begin(), asked.end(), [&](const Parameter& parameter) {
+    return value(preparation.start, parameter) == value(start, parameter);
+  });
+  if (analysis->as_read && starts_there) {
+    preparation.at_start = with_parameters(*analysis->as_read, static_cast<int>(asked.size()), kept);
+  }
+  return preparation;
+}
+
+}  // namespace
+
+Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
+                              const IdentifyOptions& options, Alignment alignment, const Arm* from) {
+  if (auto sensible = check_model(recording, options); !sensible) {
+    return tl::unexpected(sensible.error());
+  }
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  const auto aligned =
+      align(alignment, recording, constraints, from != nullptr ? *from : nominal, of_chain(*selection));
+  if (!aligned) {
+    return no_solution(
+        "the initial alignment did not converge; is the arm's file the arm that was read, with the right joint signs "
+        "and units?");
+  }
+  const auto start = arm_with_fitted_tips(recording, constraints, *aligned, options.hold);
+  if (!start) {
+    return tl::unexpected(start.error());
+  }
+  return prepared_at(*start, nominal, recording, constraints, *selection, options.noise);
+}
+
+Expected<Preparation> prepare_from(const Arm& start, const Recording& recording, const Constraints& constraints,
+                                   const IdentifyOptions& options) {
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
+  if (!selection) {
+    return tl::unexpected(selection.error());
+  }
+  return prepared_at(start, nominal, recording, constraints, *selection, options.noise);
+}
+
+}  // namespace artcal

@@ -1,0 +1,43 @@
+#include "identification/problem/system.h"
+
+namespace artcal {
+
+Arm System::arm_at(const double* x) const {
+  Arm arm = start;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    set_value(arm, free[i], value(start, free[i]) + scale[static_cast<Eigen::Index>(i)] * x[i]);
+  }
+  return arm;
+}
+
+System make_system(const Recording& recording, const Constraints& constraints, const Arm& start,
+                   std::vector<Parameter> free, double angle_scale) {
+  System system;
+  system.constraints = &constraints;
+  system.start = start;
+  system.free = std::move(free);
+  system.scale.resize(system.arm_size());
+  const double length = angle_scale > 0.0 ? angle_scale : reach(start);
+  for (int i = 0; i < system.arm_size(); ++i) {
+    system.scale[i] = physical_scale(system.free[i], length);
+  }
+  const auto joints = static_cast<std::size_t>(recording.joints.rows());
+  system.joints.assign(recording.joints.data(), recording.joints.data() + recording.joints.size());
+  system.sines.resize(2 * joints * recording.readings.size());
+  for (std::size_t i = 0; i < recording.readings.size(); ++i) {
+    joint_sines({recording.joints.data() + joints * i, joints}, {system.sines.data() + 2 * joints * i, 2 * joints});
+    system.probes.push_back(recording.readings[i].probe);
+    system.temperatures.push_back(recording.readings[i].arm_temperature);
+  }
+  return system;
+}
+
+std::vector<Sweep> sweeps_of(const System& system, const Arm& arm) {
+  std::vector<Sweep> sweeps;
+  for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
+    sweeps.emplace_back(arm, system.free, probe);
+  }
+  return sweeps;
+}
+
+}  // namespace artcal

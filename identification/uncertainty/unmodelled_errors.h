@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "identification/evaluation/evaluation.h"
+#include "identification/identify.h"
+#include "identification/uncertainty/uncertain_arm.h"
+
+namespace artcal {
+
+/// Predictions that an arm makes of a placement it was identified without, each with its uncertainty (first order,
+/// JCGM 100 §5.2): certified lengths; distances between the certified places of a plate; coordinates that are known in
+/// the base frame. `evaluation` is of `placement` (constraints of that placement alone) with the arm of `sources`, the
+/// covariance that of the identification without it.
+std::vector<CheckedPrediction> check_predictions(const Recording& recording, const Constraints& placement,
+                                                 const Evaluation& evaluation, const Arm& arm,
+                                                 const UncertaintySources& sources);
+
+/// Compares the prediction errors of all placements left out with their uncertainties. Within a placement errors hang
+/// together, so that each placement counts once: the sum over placements of the mean of (error/u)² is χ² with as many
+/// degrees of freedom, where the model is right. Beyond the 99 % quantile (beyond its mean where the residuals show
+/// unmodelled effects, `effects_found`) the arm's share of u is enlarged until that sum is its mean, and by Student's
+/// factor for so few placements.
+/// With a robust `loss` the median over placements stands for the mean: one reading that the loss let go of spoils the
+/// lengths of its placement.
+CrossValidation cross_validate(const std::vector<LeftOut>& left_out, bool effects_found, Loss loss);
+
+/// What the readings of placements left out are off beyond the noise that is known, mm a coordinate: `noise` where it
+/// was stated, else 0, because noise and unmodelled error cannot be told apart then.
+double unmodelled_point_error(const std::vector<LeftOut>& left_out, double noise);
+
+/// With a point error the scale is at least the one that gives points in the working volume, without the noise of their
+/// readings, that error beside their uncertainty in the mean over random postures.
+void add_point_error(double error, const Identification& result, CrossValidation& found);
+
+/// Multiplies the covariance and the standard uncertainties of the parameters and says so in a warning.
+void enlarge_for_unmodelled_errors(const CrossValidation& found, Identification& result);
+
+/// All of it, from Identification::left_out: the comparison, the point error where something says that the model is
+/// wrong (effects in the residuals, residuals beyond the stated noise, predictions beyond their uncertainty), and what
+/// follows.
+void judge_by_left_out(Loss loss, Identification& result);
+
+}  // namespace artcal

@@ -1,0 +1,109 @@
+#include "identification/least_squares/residual.h"
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+
+namespace artcal {
+namespace {
+
+struct Case {
+  Location location;
+  Demand demand;
+  double facing = 0.0;
+};
+
+/// Everything a residual depends on, as one vector: tip (3), tip radius, group (6), shared (4).
+using Arguments = Eigen::Matrix<double, 14, 1>;
+
+class ResidualDerivatives : public ::testing::TestWithParam<Case> {};
+
+// Every kind of residual against central differences, by all it depends on.
+TEST_P(ResidualDerivatives, AreTheDifferences) {
+  RandomStream random(3, "residual");
+  for (int trial = 0; trial < 50; ++trial) {
+    FeatureConstraint constraint;
+    constraint.location = GetParam().location;
+    constraint.demand = GetParam().demand;
+    constraint.readings = {0};
+    constraint.known = {100.0 * random.direction()};
+    constraint.distances = {40.0};
+    constraint.normal = random.direction();
+    constraint.expansion = 1.25;
+    constraint.offset = constraint.location == Location::Unknown ? 3 : 0;
+    constraint.facing = GetParam().facing;
+    constraint.height = 70.0;
+    constraint.first_error = constraint.location == Location::Unknown && constraint.facing == 0.0 ? -1 : 0;
+    constraint.shared_radius = constraint.demand == Demand::OnBall ? 3 : -1;
+    const GroupReference reference{random.rotation(), 50.0 * random.direction(), 200.0, {1.0, -1.0}};
+    Arguments at;
+    at.head<3>() = 300.0 * random.direction();
+    at[3] = 3.0;
+    for (double& v : at.segment<6>(4)) v = random.uniform(-1.0, 1.0);
+    at.segment<3>(7) *= 200.0;
+    at.tail<4>() = Eigen::Vector4d(1.0, -2.0, 3.0, 12.0);
+    const auto residual_at = [&](const Arguments& x) {
+      return FeatureResidual(constraint, reference, x.data() + 4, x.data() + 10).at(0, x.head<3>(), x[3], false);
+    };
+    const FeatureResidual residual(constraint, reference, at.data() + 4, at.data() + 10);
+    const Residual r = residual.at(0, at.head<3>(), at[3], true);
+    ASSERT_EQ(r.rows, GetParam().demand == Demand::Coincide ? 3 : 1);
+    Eigen::Matrix<double, 3, 14> slope = Eigen::Matrix<double, 3, 14>::Zero();
+    slope.leftCols<3>() = r.by_tip;
+    slope(0, 3) = r.by_tip_radius;
+    for (int i = 0; i < residual.columns(); ++i) slope.col(4 + residual.column(i)) = r.by_unknowns.col(i);
+    if (constraint.first_error >= 0) slope.middleCols<3>(10) = r.by_errors;
+    if (constraint.shared_radius >= 0) slope(0, 13) = r.by_ball_radius;
+    for (int i = 0; i < at.size(); ++i) {
+      const Arguments step = 1e-5 * Arguments::Unit(i);
+      const Eigen::Vector3d difference = (residual_at(at + step).value - residual_at(at - step).value) / 2e-5;
+      EXPECT_LT((difference - slope.col(i)).head(r.rows).norm(), 1e-6 * (1.0 + difference.head(r.rows).norm())) << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, ResidualDerivatives,
+    ::testing::Values(Case{Location::Unknown, Demand::Coincide}, Case{Location::Unknown, Demand::AtDistance},
+                      Case{Location::Unknown, Demand::OnBall}, Case{Location::Unknown, Demand::OnPlane},
+                      Case{Location::Unknown, Demand::OnPlane, 1.0}, Case{Location::Unknown, Demand::OnPlane, -1.0},
+                      Case{Location::Posed, Demand::Coincide}, Case{Location::Posed, Demand::AtDistance},
+                      Case{Location::Posed, Demand::OnBall}, Case{Location::Posed, Demand::OnPlane},
+                      Case{Location::Base, Demand::Coincide}, Case{Location::Base, Demand::AtDistance},
+                      Case{Location::Base, Demand::OnBall}, Case{Location::Base, Demand::OnPlane}));
+
+// Signed: inside the ball is negative, outside positive, no jump between.
+TEST(Residual, OfABallIsSigned) {
+  FeatureConstraint ball;
+  ball.location = Location::Base;
+  ball.demand = Demand::OnBall;
+  ball.readings = {0};
+  ball.known = {Eigen::Vector3d::Zero()};
+  ball.radius = 7.0;
+  const FeatureResidual residual(ball, {}, nullptr, nullptr);
+  EXPECT_DOUBLE_EQ(residual.at(0, {9.0, 0.0, 0.0}, 3.0, false).value[0], -1.0);
+  EXPECT_DOUBLE_EQ(residual.at(0, {0.0, 12.0, 0.0}, 3.0, false).value[0], 2.0);
+}
+
+// Moving base and artefact together moves nothing in a posed residual, even one far from zero.
+TEST(Residual, OfAPosedPointDoesNotSeeTheBaseMove) {
+  RandomStream random(4, "base");
+  FeatureConstraint point;
+  point.location = Location::Posed;
+  point.readings = {0};
+  point.known = {{1.0, 2.0, 3.0}};
+  const Rigid moved_from_base{random.rotation(), 500.0 * random.direction()};
+  const Rigid pose{random.rotation(), 300.0 * random.direction()};
+  const Eigen::Vector3d tip = 400.0 * random.direction();
+  const auto at = [&](const Rigid& base_from_artefact, const Eigen::Vector3d& p) {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(6);
+    values.tail<3>() = base_from_artefact.translation;
+    return FeatureResidual(point, {.rotation = base_from_artefact.rotation}, values.data(), nullptr)
+        .at(0, p, 0.0, false)
+        .value;
+  };
+  EXPECT_LT((at(pose, tip) - at(moved_from_base * pose, moved_from_base * tip)).norm(), 1e-11);
+}
+
+}  // namespace
+}  // namespace artcal

@@ -1,0 +1,107 @@
+// The rules of CONTRIBUTING.md about folders and files: rooms that one can overlook, headers and sources in pairs.
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace artcal {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// Headers and sources below the layers' folders, by the folder they are in, from the root.
+std::map<std::string, std::vector<fs::path>> rooms(const fs::path& root) {
+  std::map<std::string, std::vector<fs::path>> all;
+  for (const char* layer : {"core", "acquisition", "fitting", "artefacts", "identification", "app"}) {
+    if (!fs::is_directory(root / layer)) {
+      continue;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") {
+        all[fs::relative(entry.path().parent_path(), root).generic_string()].push_back(entry.path());
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<std::string> crowded(const fs::path& root, std::size_t most) {
+  std::vector<std::string> found;
+  for (const auto& [room, files] : rooms(root)) {
+    if (files.size() > most) {
+      found.push_back(room + ": " + std::to_string(files.size()));
+    }
+  }
+  return found;
+}
+
+std::set<std::string> sources_without_header(const fs::path& root) {
+  std::set<std::string> found;
+  for (const auto& [room, files] : rooms(root)) {
+    for (fs::path file : files) {
+      if (file.extension() == ".cpp" && !fs::exists(fs::path(file).replace_extension(".h"))) {
+        found.insert(room + "/" + file.filename().string());
+      }
+    }
+  }
+  return found;
+}
+
+/// Sources that another header declares, and why.
+bool is_declared_elsewhere(const std::string& source) {
+  static const std::set<std::string> known{
+      "app/main.cpp",  // nobody calls it
+      "acquisition/point_cloud/pcd/pcd_file.cpp",  // cloud_formats.h: one function a format
+      "acquisition/point_cloud/ply_file.cpp",  // cloud_formats.h
+      "acquisition/point_cloud/xyz_file.cpp",  // cloud_formats.h
+      "app/history/calibration_step.cpp",  // arm_history.h: the members of its steps
+      "app/history/history_json.cpp",  // arm_history.h: one value, three forms
+      "app/history/parameter_drift.cpp",  // drift_sections.h: the sections of one page
+      "app/history/value_drift.cpp",  // drift_sections.h
+      "app/history/verification_step.cpp",  // arm_history.h
+      "app/results/fit/fit_json.cpp",  // fit_report.h: one value, two forms
+      "app/results/fit/fit_text.cpp",  // fit_report.h
+      "app/results/fit/segment_json.cpp",  // segment_result.h: one value, two forms
+      "app/results/fit/segment_text.cpp",  // segment_result.h
+      "app/results/planning/plan_picture.cpp",  // plan_result.h: one value, three forms
+      "artefacts/constraints/build_constraints.cpp",  // constraint.h: the functions that make and read them
+      "fitting/least_squares/axial.cpp",  // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/circle.cpp",  // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/plane_line.cpp",  // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/sphere.cpp",  // estimate.h: one function a feature, all of one kind
+      "fitting/segmentation/spheres/other_unit.cpp",  // TODO
+  };
+  // commands/command.h lists all commands, so that main() and the completion of names have one table.
+  return source.starts_with("app/commands/") || known.contains(source);
+}
+
+TEST(Rooms, AreNotCrowded) { EXPECT_THAT(crowded(ARTCAL_SOURCE_DIR, 25), IsEmpty()); }
+
+TEST(Rooms, ASourceHasAHeaderOfItsName) {
+  for (const std::string& source : sources_without_header(ARTCAL_SOURCE_DIR)) {
+    EXPECT_TRUE(is_declared_elsewhere(source)) << source;
+  }
+}
+
+TEST(Rooms, TheCheckSeesWhatIsWrong) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"core/a.h", "core/a.cpp", "core/text/b.cpp", "core/text/c.h"}) {
+    fs::create_directories((folder.path() / name).parent_path());
+    (void)folder.write(name, "");
+  }
+  EXPECT_THAT(crowded(folder.path(), 1), ElementsAre("core: 2", "core/text: 2"));
+  EXPECT_THAT(crowded(folder.path(), 2), IsEmpty());
+  EXPECT_THAT(sources_without_header(folder.path()), ElementsAre("core/text/b.cpp"));
+}
+
+}  // namespace
+}  // namespace artcal
