@@ -78,7 +78,6 @@ bool is_declared_elsewhere(const std::string& source) {
       "fitting/least_squares/circle.cpp",  // estimate.h: one function a feature, all of one kind
       "fitting/least_squares/plane_line.cpp",  // estimate.h: one function a feature, all of one kind
       "fitting/least_squares/sphere.cpp",  // estimate.h: one function a feature, all of one kind
-      "fitting/segmentation/spheres/other_unit.cpp",  // TODO
   };
   // commands/command.h lists all commands, so that main() and the completion of names have one table.
   return source.starts_with("app/commands/") || known.contains(source);

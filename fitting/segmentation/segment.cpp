@@ -1,4 +1,5 @@
 #include "fitting/segmentation/segment.h"
+#include "fitting/segmentation/spheres/other_unit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -53,8 +53,4 @@ struct Segmentation {
 /// The same points give the same answer. Errors: as find_spheres and match. Finding nothing is a status.
 Expected<Segmentation> segment(const Points& points, const ScanContents& wanted, const SegmentOptions& options = {});
 
-/// What went wrong with the unit, such as "metres read as millimetres", if it shows: spheres of these radii are found
-/// once the points are taken for that; none if not.
-std::optional<std::string> other_unit(const Points& points, const ScanContents& wanted, const SegmentOptions& options);
-
 }  // namespace artcal

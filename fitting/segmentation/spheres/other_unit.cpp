@@ -1,8 +1,9 @@
+#include "fitting/segmentation/spheres/other_unit.h"
+
 #include <array>
 #include <utility>
 
 #include "core/units.h"
-#include "fitting/segmentation/segment.h"
 
 namespace artcal {
 namespace {
