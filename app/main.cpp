@@ -24,7 +24,8 @@ namespace {
 constexpr std::array commands{
     artcal::Command{"fit", "one feature from a file of points", artcal::set_up_fit},
     artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
-    artcal::Command{"coupling", "what readings can tell of an arm, and what they cannot", artcal::set_up_coupling},
+    artcal::Command{"coupling", "which parameters readings determine, and which not (identifiability)",
+                    artcal::set_up_coupling},
     artcal::Command{"segment", "find an artefact's spheres and planes in a scan", artcal::set_up_segment},
     artcal::Command{"uncertainty", "how uncertain an identified arm's points and lengths are",
                     artcal::set_up_uncertainty},
@@ -32,7 +33,7 @@ constexpr std::array commands{
     artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
     artcal::Command{"plan", "where to put an artefact next, and what to read there", artcal::set_up_plan},
     artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
-    artcal::Command{"report", "results as a page to look at and to print", artcal::set_up_report},
+    artcal::Command{"report", "report of results (HTML, prints on A4)", artcal::set_up_report},
     artcal::Command{"batch", "many recordings at once, their results into a store", artcal::set_up_batch},
     artcal::Command{"history", "how an arm changed over time, what rests on a certificate", artcal::set_up_history},
     artcal::Command{"store", "merge stores, print one", artcal::set_up_store},

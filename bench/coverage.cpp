@@ -67,9 +67,9 @@ SimulationPlan plan_of(std::uint64_t seed, const Model& model, double eccentrici
 /// How often each quantity was held.
 class Tally {
  public:
-  void add(const std::string& kind, int number, bool held) {
+  void add(const std::string& kind, int number, bool fixed) {
     auto& [hits, count] = tally_[kind][number];
-    hits += held ? 1 : 0;
+    hits += fixed ? 1 : 0;
     ++count;
   }
   void add(const Tally& other) {
@@ -162,12 +162,12 @@ void monte_carlo(const Simulation& simulation, const Constraints& constraints, c
   const auto results = summary(made->quantities(), count);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto kind = made->quantities()[i].kind;
-    if (kind == FollowedQuantity::Kind::EUni || !results[i].symmetric) {
+    if (kind == Measurand::Kind::EUni || !results[i].symmetric) {
       continue;
     }
-    const char* name = kind == FollowedQuantity::Kind::Parameter    ? "Monte Carlo: parameters"
-                       : kind == FollowedQuantity::Kind::Coordinate ? "Monte Carlo: points"
-                                                                    : "Monte Carlo: lengths";
+    const char* name = kind == Measurand::Kind::Parameter    ? "Monte Carlo: parameters"
+                       : kind == Measurand::Kind::Coordinate ? "Monte Carlo: points"
+                                                             : "Monte Carlo: lengths";
     tally.add(name, static_cast<int>(i),
               true_values[i] > results[i].symmetric->low && true_values[i] < results[i].symmetric->high);
   }

@@ -1,6 +1,6 @@
 // Monte Carlo re-identifications of a real recording (examples/two-socket-bar: 387 readings, 31 parameters of which 25
-// can be told), ours beside the same loop written with Ceres' defaults and automatic differentiation, in one run. Both
-// get the same drawn readings and certificates, begin at the first solution, and minimise the same sum of squares.
+// can be determined), ours beside the same loop written with Ceres' defaults and automatic differentiation, in one run.
+// Both get the same drawn readings and certificates, begin at the first solution, and minimise the same sum of squares.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,14 +59,14 @@ const System& first_system() {
 
 double cost_at(const System& drawn, const Eigen::VectorXd& x) {
   // The least over the unknowns at this arm: one more solve with nothing of the arm free.
-  const System held = [&] {
+  const System fixed = [&] {
     System copy = drawn;
     copy.start = drawn.arm_at(x.data());
     copy.free.clear();
     copy.scale.resize(0);
     return copy;
   }();
-  return solve(held, task().fit.weights, Eigen::VectorXd(), task().fit.unknowns).final_cost;
+  return solve(fixed, task().fit.weights, Eigen::VectorXd(), task().fit.unknowns).final_cost;
 }
 
 void artcal_trial(benchmark::State& state) {
@@ -148,8 +148,8 @@ std::array<double, numbers> numbers_of(const Arm& arm) {
   return p;
 }
 
-std::vector<int> held_numbers() {
-  std::vector<int> held;
+std::vector<int> fixed_numbers() {
+  std::vector<int> fixed;
   for (int i = 0; i < numbers; ++i) {
     Arm moved = task().fit.arm;
     const bool free = std::any_of(task().free.begin(), task().free.end(), [&](const Parameter& parameter) {
@@ -160,14 +160,14 @@ std::vector<int> held_numbers() {
       return here;
     });
     if (!free) {
-      held.push_back(i);
+      fixed.push_back(i);
     }
   }
-  return held;
+  return fixed;
 }
 
 // Returns the cost and, through `p`, the arm.
-double solve_with_ceres(const System& drawn, const std::vector<int>& held, std::array<double, numbers>& p) {
+double solve_with_ceres(const System& drawn, const std::vector<int>& fixed, std::array<double, numbers>& p) {
   const Task& t = task();
   const Constraints& constraints = *drawn.constraints;
   std::vector<Eigen::Vector3d> points;
@@ -192,7 +192,7 @@ double solve_with_ceres(const System& drawn, const std::vector<int>& held, std::
                                  new DistanceCost{distance.value, t.fit.weights.distances[d]}),
                              nullptr, points[distance.first].data(), points[distance.second].data());
   }
-  problem.SetManifold(p.data(), new ceres::SubsetManifold(numbers, held));
+  problem.SetManifold(p.data(), new ceres::SubsetManifold(numbers, fixed));
   ceres::Solver::Options options;  // Ceres' own
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
@@ -203,16 +203,16 @@ double solve_with_ceres(const System& drawn, const std::vector<int>& held, std::
 void ceres_autodiff_trial(benchmark::State& state) {
   const Task& t = task();
   TrialInputs inputs(first_system(), t.recording, t.spread);
-  const auto held = held_numbers();
+  const auto fixed = fixed_numbers();
   std::uint64_t trial = 0;
   for (auto _ : state) {
     inputs.draw(1, trial++);
     auto p = numbers_of(t.fit.arm);
-    benchmark::DoNotOptimize(solve_with_ceres(inputs.system(), held, p));
+    benchmark::DoNotOptimize(solve_with_ceres(inputs.system(), fixed, p));
   }
   inputs.draw(1, 0);
   auto p = numbers_of(t.fit.arm);
-  state.counters["cost_of_trial_0"] = solve_with_ceres(inputs.system(), held, p);
+  state.counters["cost_of_trial_0"] = solve_with_ceres(inputs.system(), fixed, p);
 }
 
 /// The whole of it on two threads, with nothing to measure but the parameters.

@@ -7,7 +7,7 @@
 
 namespace artcal {
 
-/// What went wrong, as a caller has to tell the cases apart. The values are the exit codes of the
+/// What went wrong, as a caller has to determine the cases apart. The values are the exit codes of the
 /// program, so that a script and a library caller see the same distinction.
 enum class ErrorCode {
   Usage = 2,       ///< the request itself is wrong: an unknown parameter name, a contradictory option

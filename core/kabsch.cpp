@@ -5,7 +5,7 @@
 
 namespace artcal {
 
-Turning turning_of(const Eigen::Matrix3d& moment) {
+Rotation rotation_of_moment(const Eigen::Matrix3d& moment) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
   return {svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose(),

@@ -114,32 +114,32 @@ Eigen::Index first_not_finite(const Points& points) {
   return -1;
 }
 
-Expected<Cloud> make_cloud(const Points& points, const Eigen::VectorXd& weights, const Demand& demand) {
+Expected<Cloud> make_cloud(const Points& points, const Eigen::VectorXd& weights, const Requirement& requirement) {
   if (auto checked = check(points, weights); !checked) {
     return tl::unexpected(checked.error());
   }
   Cloud cloud;
   take(points, weights, cloud);
-  if (cloud.size() < demand.points) {
-    return bad_input(fmt::format("a {} needs at least {} points, there are {}{}", demand.feature, demand.points,
-                                 cloud.size(), weights.size() == 0 ? "" : " of weight above zero"));
+  if (cloud.size() < requirement.points) {
+    return bad_input(fmt::format("a {} needs at least {} points, there are {}{}", requirement.feature,
+                                 requirement.points, cloud.size(), weights.size() == 0 ? "" : " of weight above zero"));
   }
   const double reach = cloud.points.cwiseAbs().maxCoeff();
   centre(cloud);
   const double size = std::sqrt(cloud.points.squaredNorm() / static_cast<double>(cloud.size()));
   if (!(size > 4.0 * epsilon * reach)) {
     return bad_input(
-        fmt::format("all {} points are the same one; a {} needs different ones", cloud.size(), demand.feature));
+        fmt::format("all {} points are the same one; a {} needs different ones", cloud.size(), requirement.feature));
   }
   cloud.scale = size;
   cloud.points /= size;
   cloud.rounding = epsilon * (1.0 + reach / size);
   find_axes(cloud);
   const double flat = 4.0 * cloud.rounding * std::sqrt(cloud.total_weight());
-  for (int dimensions = 1; dimensions < demand.dimensions; ++dimensions) {
+  for (int dimensions = 1; dimensions < requirement.dimensions; ++dimensions) {
     if (cloud.spread(dimensions) <= flat) {
-      return no_solution(
-          fmt::format("the points do not tell a {}: all {} {}", demand.feature, cloud.size(), why_flat(dimensions)));
+      return no_solution(fmt::format("the points do not determine a {}: all {} {}", requirement.feature, cloud.size(),
+                                     why_flat(dimensions)));
     }
   }
   return cloud;

@@ -23,7 +23,7 @@ struct Cloud {
 };
 
 /// What a feature asks of its points, to be refused with a sentence that names it.
-struct Demand {
+struct Requirement {
   std::string_view feature;  ///< "sphere"
   int points;                ///< fewest that determine it
   int dimensions;            ///< 1: not all equal; 2: not on a line; 3: not in a plane
@@ -31,7 +31,7 @@ struct Demand {
 
 /// Errors: BadInput for not-a-number, too few, all equal and weights that do not fit; NoSolution where the
 /// points span fewer dimensions than demanded, up to the rounding of their coordinates.
-Expected<Cloud> make_cloud(const Points& points, const Eigen::VectorXd& weights, const Demand& demand);
+Expected<Cloud> make_cloud(const Points& points, const Eigen::VectorXd& weights, const Requirement& requirement);
 
 /// The same points, their axes turned: the third along `normal`, the others the principal directions across it.
 /// REQUIRES a normal other than zero.

@@ -66,7 +66,7 @@ Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
       return without_tip(std::move(*plain), options);
     }
   }
-  auto cloud = make_cloud(points, options.weights, demand_for<F>(options));
+  auto cloud = make_cloud(points, options.weights, requirement_for<F>(options));
   if (!cloud) {
     return tl::unexpected(cloud.error());
   }

@@ -85,8 +85,8 @@ struct Fitted {
 /// rounding.
 ///
 /// Errors: BadInput for what is wrong with the points (NaN, too few, all the same, weights of another
-/// length or sign); NoSolution where they are sound but do not tell the feature (on one plane, on one
-/// line, a patch too small to tell the radius); Usage for options that the feature does not have.
+/// length or sign); NoSolution where they are sound but do not determine the feature (on one plane, on one
+/// line, a patch too small to determine the radius); Usage for options that the feature does not have.
 template <typename F>
 Expected<Fitted<F>> fit(const Points& points, const FitOptions& options = {});
 

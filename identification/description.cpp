@@ -10,9 +10,9 @@ namespace artcal {
 std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identified, const Preparation& preparation,
                                           const Eigen::MatrixXd& covariance) {
   std::vector<IdentifiedParameter> all;
-  const auto is_lost = [&](const std::string& name) {
+  const auto is_unidentifiable = [&](const std::string& name) {
     return std::any_of(
-        preparation.coupling.lost.begin(), preparation.coupling.lost.end(),
+        preparation.coupling.unidentifiable.begin(), preparation.coupling.unidentifiable.end(),
         [&](const ParameterMotion& motion) { return preparation.coupling.parameters[motion.leading].name == name; });
   };
   const auto pairs = wrist_pairs(nominal);
@@ -27,9 +27,10 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
         (parameter.kind == ParameterKind::Radius || (parameter.is_joint_error() && value(nominal, parameter) == 0.0))) {
       continue;  // known, and no part of this
     }
-    const ParameterState state = free >= 0                                             ? ParameterState::Identified
-                                 : is_lost(parameter.name) && !in_pair(parameter.name) ? ParameterState::Lost
-                                                                                       : ParameterState::Held;
+    const ParameterState state = free >= 0 ? ParameterState::Identified
+                                 : is_unidentifiable(parameter.name) && !in_pair(parameter.name)
+                                     ? ParameterState::Unidentifiable
+                                     : ParameterState::Fixed;
     all.push_back({parameter, value(nominal, parameter), value(identified, parameter),
                    free >= 0 ? std::sqrt(covariance(free, free)) : 0.0, state});
   }
@@ -37,19 +38,19 @@ std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identif
 }
 
 std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
-                                              const CommonErrors& common, double enlargement) {
+                                              const CommonErrors& common, double scale_factor) {
   const auto variances = shared_variances(fit.linearisation);
   std::vector<ArtefactValue> values;
   for (std::size_t s = 0; s < constraints.shared.size() && variances; ++s) {
-    const SharedUnknown& shared = constraints.shared[s];
+    const ArtefactParameter& shared = constraints.shared[s];
     const Artefact& artefact = constraints.artefacts[shared.artefact];
     const CertifiedFeature& feature = artefact.features[shared.feature];
     const auto i = static_cast<Eigen::Index>(s);
-    const bool radius = shared.quantity == SharedUnknown::Quantity::Radius;
+    const bool radius = shared.quantity == ArtefactParameter::Quantity::Radius;
     const double from = radius ? 0.0 : (*feature.at)[static_cast<Eigen::Index>(shared.quantity)];
     values.push_back({artefact.name, feature.name, shared.quantity,
                       shared.u > 0.0 ? std::optional(from + shared.certified) : std::nullopt, shared.u,
-                      from + fit.unknowns.shared[i], enlargement * std::sqrt((*variances)[i] + common.of_shared[i])});
+                      from + fit.unknowns.shared[i], scale_factor * std::sqrt((*variances)[i] + common.of_shared[i])});
   }
   return values;
 }

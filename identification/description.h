@@ -12,9 +12,9 @@ namespace artcal {
 std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identified, const Preparation& preparation,
                                           const Eigen::MatrixXd& covariance);
 
-/// What a fit says of the numbers of the artefacts themselves; `common` from common_errors(), `enlargement` as in
-/// Identification.
+/// What a fit says of the numbers of the artefacts themselves; `common` from correlated_certificate_errors(), `scale
+/// factor` as in Identification.
 std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
-                                              const CommonErrors& common, double enlargement);
+                                              const CommonErrors& common, double scale_factor);
 
 }  // namespace artcal

@@ -58,9 +58,9 @@ std::vector<std::string> strangers(const Recording& recording, const Constraints
 
 // Certificates' errors are those of the placement left out too and cancel there in part: each counts as new, here too.
 UncertaintySources sources_of(const Eigen::MatrixXd& covariance, double found_noise, const std::vector<Parameter>& free,
-                              const Noise& noise, double enlargement) {
-  return {free, enlargement * enlargement * covariance, enlargement * noise.encoder.value_or(0.0),
-          enlargement * noise.probing.value_or(found_noise)};
+                              const Noise& noise, double scale_factor) {
+  return {free, scale_factor * scale_factor * covariance, scale_factor * noise.encoder.value_or(0.0),
+          scale_factor * noise.probing.value_or(found_noise)};
 }
 
 // A few steps from the solution instead of a whole identification. Priors, robust weights and the choice of what is
@@ -80,18 +80,18 @@ RefitWithout refit_of(const System& identified, const ArmFit& fit, const Recordi
       return std::nullopt;
     }
     return ArmWithout{std::move(found->arm),
-                      sources_of(found->covariance, fit.noise, identified.free, options.noise, result.enlargement)};
+                      sources_of(found->covariance, fit.noise, identified.free, options.noise, result.scale_factor)};
   };
 }
 
 // Of each u: the part that the residuals gave has theirs, the certificates' part is known (Welch, Satterthwaite).
 void set_degrees_of_freedom(const Eigen::MatrixXd& of_readings, int degrees_of_freedom, Identification& result) {
-  if (result.noise_is_given && result.enlargement <= 1.0) {
+  if (result.noise_is_given && result.scale_factor <= 1.0) {
     return;
   }
   for (std::size_t i = 0; i < result.free.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
-    const double noise = result.enlargement * std::sqrt(of_readings(k, k));
+    const double noise = result.scale_factor * std::sqrt(of_readings(k, k));
     const double all = std::sqrt(result.covariance(k, k));
     const std::array<UncertaintyComponent, 2> components{
         {{noise, static_cast<double>(degrees_of_freedom)}, {std::sqrt(std::max(0.0, all * all - noise * noise))}}};
@@ -135,7 +135,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
         "the parameters that the coupling analysis calls weak");
   }
   const System identified = make_system(recording, constraints, fit->arm, preparation->free);
-  const auto common = common_errors(identified, *fit, recording);
+  const auto common = correlated_certificate_errors(identified, *fit, recording);
   if (!common) {
     return tl::unexpected(common.error());
   }
@@ -147,7 +147,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
   result.noise_is_given = options.noise.is_given();
   const Redundancy redundancy = redundancy_at(recording, constraints, *fit, preparation->free);
   judge_noise(*fit, goodness_of_fit(constraints, *fit, options.loss, redundancy), result);
-  result.covariance = result.enlargement * result.enlargement * (*covariance + common->of_arm);
+  result.covariance = result.scale_factor * result.scale_factor * (*covariance + common->of_arm);
   result.parameters = describe(arm_for(options.model, recording.arm), fit->arm, *preparation, result.covariance);
   for (const Parameter& parameter : preparation->free) {
     const auto described_at =
@@ -159,7 +159,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     return tl::unexpected(sensible.error());
   }
   set_degrees_of_freedom(*covariance, fit->degrees_of_freedom, result);
-  result.artefact_values = describe_artefacts(constraints, *fit, *common, result.enlargement);
+  result.artefact_values = describe_artefacts(constraints, *fit, *common, result.scale_factor);
   // A nominal arm so far off that nothing can be fitted to its points says nothing against the identified one.
   result.before = before ? *before : not_evaluated(found->after);
   if (!before) {
@@ -207,7 +207,7 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
           .map([&](const GroupFit& refit) {
             const auto covariance_without = arm_covariance(refit.fit.scale, refit.fit.linearisation);
             return ArmWithout{refit.fit.arm, sources_of(covariance_without.value_or(Eigen::MatrixXd()), refit.fit.noise,
-                                                        refit.preparation.free, options.noise, result.enlargement)};
+                                                        refit.preparation.free, options.noise, result.scale_factor)};
           });
     };
     result.left_out = leave_placements_out(

@@ -22,7 +22,7 @@ namespace artcal {
 
 struct IdentifyOptions {
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
-  std::vector<std::string> free;  ///< parameters to identify although they are held by default (a6, d6, …)
+  std::vector<std::string> free;  ///< parameters to identify although they are fixed by default (a6, d6, …)
   Model model;                    ///< what is identified beside the chain and the tips
   bool automatic = false;         ///< groups are to be added: what identify_automatically() is asked for
   Loss loss = Loss::None;
@@ -36,10 +36,10 @@ struct IdentifyOptions {
 
 /// What became of a parameter.
 enum class ParameterState {
-  Identified,  ///< found from the readings, with a standard uncertainty
-  Held,        ///< kept at its nominal value: asked for, or the last joint's a and d
-  Weak,        ///< found with a weak prior about its nominal value, which the readings alone determine worse
-  Lost,        ///< kept at its nominal value: the readings cannot tell it
+  Identified,      ///< found from the readings, with a standard uncertainty
+  Fixed,           ///< kept at its nominal value: asked for, or the last joint's a and d
+  Weak,            ///< found with a weak prior about its nominal value, which the readings alone determine worse
+  Unidentifiable,  ///< kept at its nominal value: the readings cannot determine it
 };
 
 struct IdentifiedParameter {
@@ -58,7 +58,7 @@ struct IdentifiedParameter {
 /// coordinates that its certificate states with an uncertainty.
 struct ArtefactValue {
   std::string artefact, feature;
-  SharedUnknown::Quantity quantity = SharedUnknown::Quantity::Radius;
+  ArtefactParameter::Quantity quantity = ArtefactParameter::Quantity::Radius;
   std::optional<double> certified;  ///< mm at the reference temperature
   double u_certified = 0.0;         ///< standard uncertainty, mm; 0 where nothing is certified
   double found = 0.0;               ///< mm at the reference temperature, from certificate and readings together
@@ -77,15 +77,15 @@ struct Outlier {
 
 /// A certified value that the readings contradict by more than chance allows.
 struct CertificateOutlier {
-  FeatureName name;                                 ///< of a distance the first feature; otherwise without a placement
-  std::string second;                               ///< of a distance the other feature
-  std::optional<SharedUnknown::Quantity> quantity;  ///< nothing: a distance
-  double certified = 0.0;                           ///< mm
-  double u = 0.0;                                   ///< standard uncertainty, mm
-  double deviation = 0.0;                           ///< of what all the rest determines from what is certified, mm
-  double standardised = 0.0;                        ///< that in its standard deviations, those of the readings included
-  double limit = 0.0;                               ///< what chance allows of it
-  double weight = 1.0;                              ///< by which the loss made it count, 0 to 1
+  FeatureName name;    ///< of a distance the first feature; otherwise without a placement
+  std::string second;  ///< of a distance the other feature
+  std::optional<ArtefactParameter::Quantity> quantity;  ///< nothing: a distance
+  double certified = 0.0;                               ///< mm
+  double u = 0.0;                                       ///< standard uncertainty, mm
+  double deviation = 0.0;                               ///< of what all the rest determines from what is certified, mm
+  double standardised = 0.0;  ///< that in its standard deviations, those of the readings included
+  double limit = 0.0;         ///< what chance allows of it
+  double weight = 1.0;        ///< by which the loss made it count, 0 to 1
 };
 
 /// "distance "A" to "B"", "x of "A"".
@@ -137,7 +137,7 @@ struct ModelTrial {
     Taken,     ///< its last group was taken into the model
     Worth,     ///< it would have been worth it, but another group was better
     NotWorth,  ///< placements left out are not better by more than chance allows
-    Refused,   ///< the readings cannot tell the group, or it makes no sense here
+    Refused,   ///< the readings cannot determine the group, or it makes no sense here
   };
   int step = 0;  ///< groups taken before
   Model model;   ///< with the group on trial last
@@ -178,7 +178,7 @@ struct Identification {
   std::vector<ModelTrial> trials;  ///< of identify_automatically(), in the order they were made
   std::vector<IdentifiedParameter> parameters;
   std::vector<int> free;       ///< indices into parameters, in the order of the covariance
-  Eigen::MatrixXd covariance;  ///< of these, in their units; with enlargement and cross_validation.scale
+  Eigen::MatrixXd covariance;  ///< of these, in their units; with scale factor and cross_validation.scale
   Coupling coupling;
   std::vector<ArtefactValue> artefact_values;  ///< as Constraints::shared
   Evaluation before, after;
@@ -196,7 +196,7 @@ struct Identification {
   int degrees_of_freedom = 0;
   double chi_squared_low = 0.0;  ///< 95 % of sound fits lie between these two
   double chi_squared_high = 0.0;
-  double enlargement = 1.0;  ///< factor on all u, because the readings are noisier than was stated
+  double scale_factor = 1.0;  ///< factor on all u, because the readings are noisier than was stated
 
   int iterations = 0;
   int noise_rounds = 0;
@@ -209,8 +209,8 @@ struct Identification {
 /// Usage: an unknown name in hold or free, both members of a wrist pair asked to be free, a group of the model that
 /// makes no sense for this arm and recording.
 /// Bad input: a reading without joint angles, or without the arm's temperature where the arm expands.
-/// No solution: no calibrated length (scale is lost), fewer residuals than unknowns, a parameter asked to
-/// be free or a group asked for that the readings cannot tell, no convergence.
+/// No solution: no calibrated length (scale is unidentifiable), fewer residuals than unknowns, a parameter asked to
+/// be free or a group asked for that the readings cannot determine, no convergence.
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options = {});
 

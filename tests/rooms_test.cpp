@@ -59,25 +59,25 @@ std::set<std::string> sources_without_header(const fs::path& root) {
 /// Sources that another header declares, and why.
 bool is_declared_elsewhere(const std::string& source) {
   static const std::set<std::string> known{
-      "app/main.cpp",  // nobody calls it
-      "acquisition/point_cloud/pcd/pcd_file.cpp",  // cloud_formats.h: one function a format
-      "acquisition/point_cloud/ply_file.cpp",  // cloud_formats.h
-      "acquisition/point_cloud/xyz_file.cpp",  // cloud_formats.h
-      "app/history/calibration_step.cpp",  // arm_history.h: the members of its steps
-      "app/history/history_json.cpp",  // arm_history.h: one value, three forms
-      "app/history/parameter_drift.cpp",  // drift_sections.h: the sections of one page
-      "app/history/value_drift.cpp",  // drift_sections.h
-      "app/history/verification_step.cpp",  // arm_history.h
-      "app/results/fit/fit_json.cpp",  // fit_report.h: one value, two forms
-      "app/results/fit/fit_text.cpp",  // fit_report.h
-      "app/results/fit/segment_json.cpp",  // segment_result.h: one value, two forms
-      "app/results/fit/segment_text.cpp",  // segment_result.h
-      "app/results/planning/plan_picture.cpp",  // plan_result.h: one value, three forms
+      "app/main.cpp",                                 // nobody calls it
+      "acquisition/point_cloud/pcd/pcd_file.cpp",     // cloud_formats.h: one function a format
+      "acquisition/point_cloud/ply_file.cpp",         // cloud_formats.h
+      "acquisition/point_cloud/xyz_file.cpp",         // cloud_formats.h
+      "app/history/calibration_step.cpp",             // arm_history.h: the members of its steps
+      "app/history/history_json.cpp",                 // arm_history.h: one value, three forms
+      "app/history/parameter_drift.cpp",              // drift_sections.h: the sections of one page
+      "app/history/value_drift.cpp",                  // drift_sections.h
+      "app/history/verification_step.cpp",            // arm_history.h
+      "app/results/fit/fit_json.cpp",                 // fit_report.h: one value, two forms
+      "app/results/fit/fit_text.cpp",                 // fit_report.h
+      "app/results/fit/segment_json.cpp",             // segment_result.h: one value, two forms
+      "app/results/fit/segment_text.cpp",             // segment_result.h
+      "app/results/planning/plan_picture.cpp",        // plan_result.h: one value, three forms
       "artefacts/constraints/build_constraints.cpp",  // constraint.h: the functions that make and read them
-      "fitting/least_squares/axial.cpp",  // estimate.h: one function a feature, all of one kind
-      "fitting/least_squares/circle.cpp",  // estimate.h: one function a feature, all of one kind
-      "fitting/least_squares/plane_line.cpp",  // estimate.h: one function a feature, all of one kind
-      "fitting/least_squares/sphere.cpp",  // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/axial.cpp",              // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/circle.cpp",             // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/plane_line.cpp",         // estimate.h: one function a feature, all of one kind
+      "fitting/least_squares/sphere.cpp",             // estimate.h: one function a feature, all of one kind
   };
   // commands/command.h lists all commands, so that main() and the completion of names have one table.
   return source.starts_with("app/commands/") || known.contains(source);

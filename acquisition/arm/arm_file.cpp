@@ -83,7 +83,7 @@ void check_arm(const Arm& arm, TomlTable& root) {
   }
   if (!has_masses(arm) && std::any_of(arm.joints.begin(), arm.joints.end(),
                                       [](const Joint& joint) { return joint.errors.compliance != 0.0; })) {
-    root.fail("joint", "a joint gives way to gravity, but not every joint states the mass of its link, `mass_kg`");
+    root.fail("joint", "a joint bends under gravity, but not every joint states the mass of its link, `mass_kg`");
   }
   if (arm.probes.empty()) {
     root.fail("probe", "the arm has no probe, expected at least one table headed [[probe]]");
@@ -254,7 +254,7 @@ Expected<ArmFile> arm_file_of(Expected<TomlDocument> document, const std::filesy
   ArmFile result;
   result.input = {path.string(), document->sha256()};
   Arm& arm = result.arm;
-  arm.name = root.name_or("name", at_most(80, path.stem().string()));
+  arm.name = root.name_or("name", truncated(80, path.stem().string()));
   arm.convention = read_convention(root);
   read_surroundings(root, arm);
   TomlTable units = root.table("units");

@@ -8,18 +8,18 @@
 
 #include "acquisition/arm/forward_kinematics.h"
 
-/// The insides of the sweep that its source files share.
+/// The insides of the pass that its source files share.
 namespace artcal {
 
 /// The axes one joint turns or slides on, in the base frame.
-struct Sweep::Frame {
+struct ForwardKinematics::Frame {
   Eigen::Vector3d z, z_at;  // θ about z through z_at, d along z
   Eigen::Vector3d x, x_at;  // α about x through x_at, a along x
   Eigen::Vector3d y;        // β about y through x_at
 };
 
 /// Of all joints, and after them the last frame's axes.
-struct Sweep::Frames {
+struct ForwardKinematics::Frames {
   std::array<Frame, max_joints + 1> at;
 };
 
@@ -40,14 +40,16 @@ inline void put(double* derivative, int column, const Eigen::Vector3d& value) {
 }
 
 /// Links that stay as they are: no multiplication in the hottest loop.
-struct NoGrowth {
+struct NoExpansion {
   double operator()(std::size_t /*link*/, double length) const { return length; }
 };
 
 /// Walks the chain outwards; `visit(i, frame)` sees the axes of joint i, `visit(n, last)` the last frame's.
 /// Returns the tip. `growth(i, length)` is how long a length of link i is.
-template <typename Growth, typename Visit>
-[[gnu::always_inline]] inline Eigen::Vector3d Sweep::walk(const double* sines, Growth growth, Visit&& visit) const {
+template <typename ExpansionFactor, typename Visit>
+[[gnu::always_inline]] inline Eigen::Vector3d ForwardKinematics::walk(const double* sines,
+                                                                      ExpansionFactor expansion_factor,
+                                                                      Visit&& visit) const {
   Eigen::Vector3d x = Eigen::Vector3d::UnitX();
   Eigen::Vector3d y = Eigen::Vector3d::UnitY();
   Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
@@ -55,8 +57,8 @@ template <typename Growth, typename Visit>
   Frame frame;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
-    const double a = growth(i, link.a);
-    const double d = growth(i, link.d);
+    const double a = expansion_factor(i, link.a);
+    const double d = expansion_factor(i, link.d);
     const double sin_q = link.sign * sines[2 * i];
     const double cos_q = sines[2 * i + 1];
     const double sine = link.sin_theta * cos_q + link.cos_theta * sin_q;
@@ -91,8 +93,8 @@ template <typename Growth, typename Visit>
   }
   visit(links_.size(), Frame{z, p, x, p, y});
   const std::size_t last = links_.size() - 1;
-  return p +
-         (growth(last, tip_in_last_.x()) * x + growth(last, tip_in_last_.y()) * y + growth(last, tip_in_last_.z()) * z);
+  return p + (expansion_factor(last, tip_in_last_.x()) * x + expansion_factor(last, tip_in_last_.y()) * y +
+              expansion_factor(last, tip_in_last_.z()) * z);
 }
 
 }  // namespace artcal

@@ -29,7 +29,7 @@ void joint_sines(std::span<const double> q, std::span<double> sines) {
   }
 }
 
-Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
+ForwardKinematics::ForwardKinematics(const Arm& arm, const std::vector<Parameter>& parameters, int probe)
     : convention_(arm.convention),
       reference_temperature_(arm.reference_temperature),
       tip_in_last_(arm.probes[probe].tip_in_last),
@@ -78,17 +78,17 @@ Sweep::Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe
   }
 }
 
-Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading) const {
+Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading) const {
   assert(reading.sines.size() == 2 * links_.size());
   const auto nothing = [](std::size_t, const Frame&) {};
   if (has_errors()) {
     const Posture posture = posture_of(reading);
     return walk(posture.sines.data(), posture.grown(), nothing);
   }
-  return walk(reading.sines.data(), NoGrowth(), nothing);
+  return walk(reading.sines.data(), NoExpansion(), nothing);
 }
 
-Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading, double* derivative) const {
+Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading, double* derivative) const {
   assert(reading.sines.size() == 2 * links_.size());
   Eigen::Map<Eigen::Matrix3Xd>(derivative, 3, columns_).setZero();
   if (has_errors()) {
@@ -96,7 +96,7 @@ Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading, double* derivative
   }
   std::array<Frame, max_joints + 1> frames;
   const Eigen::Vector3d tip =
-      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+      walk(reading.sines.data(), NoExpansion(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const Frame& frame = frames[i];
@@ -115,21 +115,21 @@ Eigen::Vector3d Sweep::tip_in_base(const JointSines& reading, double* derivative
   return tip;
 }
 
-Eigen::Vector3d Sweep::tip_by_joints(const JointSines& reading, double* derivative) const {
+Eigen::Vector3d ForwardKinematics::tip_by_joints(const JointReading& reading, double* derivative) const {
   assert(reading.sines.size() == 2 * links_.size());
   if (has_errors()) {
     return put_by_joints_with_errors(reading, derivative);
   }
   std::array<Frame, max_joints + 1> frames;
   const Eigen::Vector3d tip =
-      walk(reading.sines.data(), NoGrowth(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+      walk(reading.sines.data(), NoExpansion(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
     put(derivative, static_cast<int>(i), links_[i].sign * frames[i].z.cross(tip - frames[i].z_at));
   }
   return tip;
 }
 
-Eigen::Vector3d Sweep::axes_in_base(const JointSines& reading, double* directions, double* points) const {
+Eigen::Vector3d ForwardKinematics::axes_in_base(const JointReading& reading, double* directions, double* points) const {
   assert(reading.sines.size() == 2 * links_.size());
   const auto note = [&](std::size_t i, const Frame& frame) {
     if (i < links_.size()) {
@@ -141,7 +141,7 @@ Eigen::Vector3d Sweep::axes_in_base(const JointSines& reading, double* direction
     const Posture posture = posture_of(reading);
     return walk(posture.sines.data(), posture.grown(), note);
   }
-  return walk(reading.sines.data(), NoGrowth(), note);
+  return walk(reading.sines.data(), NoExpansion(), note);
 }
 
 }  // namespace artcal

@@ -15,8 +15,8 @@ namespace artcal {
 
 struct WeighedChain;
 
-/// What a sweep needs to know of one reading.
-struct JointSines {
+/// What a pass needs to know of one reading.
+struct JointReading {
   /// Sine and cosine of the joint angles, interleaved: sin q1, cos q1, sin q2, … They do not depend on the arm's
   /// parameters, so a recording computes them once and no iteration asks libm again.
   std::span<const double> sines;
@@ -25,10 +25,10 @@ struct JointSines {
   double temperature = std::numeric_limits<double>::quiet_NaN();
 
   template <typename Numbers>
-  requires std::convertible_to<const Numbers&, std::span<const double>> JointSines(const Numbers& sines_of_q)
+  requires std::convertible_to<const Numbers&, std::span<const double>> JointReading(const Numbers& sines_of_q)
       : sines(sines_of_q) {}
-  JointSines(std::span<const double> sines_of_q, std::span<const double> angles,
-             double of_arm = std::numeric_limits<double>::quiet_NaN())
+  JointReading(std::span<const double> sines_of_q, std::span<const double> angles,
+               double of_arm = std::numeric_limits<double>::quiet_NaN())
       : sines(sines_of_q), q(angles), temperature(of_arm) {}
 };
 
@@ -37,7 +37,7 @@ void joint_sines(std::span<const double> q, std::span<double> sines);
 
 /// The tip of an arm as a function of its joint readings, and its derivatives by every parameter, in one
 /// pass out along the chain and no allocation. The arm is copied into the numbers the
-/// pass needs; a Sweep is const afterwards and may be shared between threads.
+/// pass needs; a ForwardKinematics is const afterwards and may be shared between threads.
 ///
 /// Derivatives (Gao 2013 §3; domain: P the tip, p(i) the origin, x(i), y(i), z(i) the axes of frame i):
 ///   standard: ∂P/∂θi = z(i-1) × (P − p(i-1)),  ∂P/∂di = z(i-1),  ∂P/∂ai = x(i),
@@ -46,13 +46,13 @@ void joint_sines(std::span<const double> q, std::span<double> sines);
 ///             after both, θ and d along z(i).
 ///   tip:      ∂P/∂(lx, ly, lz) = x(n), y(n), z(n); ∂P/∂radius = 0.
 /// An arm with joint errors (JointErrors) is swept at the angles q' that they lead to, with one or two passes more.
-/// What turns a joint has the column of its θ times that turn. Where joints give way to gravity, ∂P counts the
+/// What turns a joint has the column of its θ times that turn. Where joints bend under gravity, ∂P counts the
 /// change of their torque too: with φi = θi + sign·q'i the joint angles, K the compliances and B = 1 − K·∂τ/∂φ,
 ///             dP = ∂P + (∂P/∂φ)·B⁻¹·(∂φ + K·∂τ),  ∂ at the angles held.
-class Sweep {
+class ForwardKinematics {
  public:
   /// Columns of the derivative are the `parameters`, which are parameters of the arm or a selection.
-  Sweep(const Arm& arm, const std::vector<Parameter>& parameters, int probe);
+  ForwardKinematics(const Arm& arm, const std::vector<Parameter>& parameters, int probe);
 
   [[nodiscard]] int joint_count() const { return static_cast<int>(links_.size()); }
   [[nodiscard]] int column_count() const { return columns_; }
@@ -62,18 +62,18 @@ class Sweep {
 
   /// The tip's centre in the base frame, mm. REQUIRES: reading.sines.size() == 2·joint_count(); reading.q, of an arm
   /// with gains or couplings or with columns for them.
-  [[nodiscard]] Eigen::Vector3d tip_in_base(const JointSines& reading) const;
+  [[nodiscard]] Eigen::Vector3d tip_in_base(const JointReading& reading) const;
 
   /// The same, and its derivative by the parameters: `derivative` is 3 × column_count(), column-major,
   /// mm per unit of the parameter; columns of other probes' tips are zero.
-  Eigen::Vector3d tip_in_base(const JointSines& reading, double* derivative) const;
+  Eigen::Vector3d tip_in_base(const JointReading& reading, double* derivative) const;
 
   /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad.
-  Eigen::Vector3d tip_by_joints(const JointSines& reading, double* derivative) const;
+  Eigen::Vector3d tip_by_joints(const JointReading& reading, double* derivative) const;
 
   /// The tip's centre and the joints' axes in the base frame: unit vectors along them and a point on each
   /// (the origins that the class comment calls p), both 3 × joint_count(), column-major.
-  Eigen::Vector3d axes_in_base(const JointSines& reading, double* directions, double* points) const;
+  Eigen::Vector3d axes_in_base(const JointReading& reading, double* directions, double* points) const;
 
  private:
   struct Link {
@@ -94,22 +94,22 @@ class Sweep {
   struct Frames;
   struct Posture;
   struct Slopes;
-  template <typename Growth, typename Visit>
-  Eigen::Vector3d walk(const double* sines, Growth growth, Visit&& visit) const;
+  template <typename ExpansionFactor, typename Visit>
+  Eigen::Vector3d walk(const double* sines, ExpansionFactor expansion_factor, Visit&& visit) const;
 
   // Of an arm with errors.
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
-  [[nodiscard]] Posture posture_of(const JointSines& reading) const;
+  [[nodiscard]] Posture posture_of(const JointReading& reading) const;
   Eigen::Vector3d walk_frames(const Posture& posture, Frames& frames) const;
   [[nodiscard]] WeighedChain weighed(const Frames& frames, const Eigen::Vector3d& tip) const;
   [[nodiscard]] Slopes slopes_of(const Frames& frames, const WeighedChain& chain) const;
-  Eigen::Vector3d put_with_errors(const JointSines& reading, double* derivative) const;
-  Eigen::Vector3d put_by_joints_with_errors(const JointSines& reading, double* derivative) const;
+  Eigen::Vector3d put_with_errors(const JointReading& reading, double* derivative) const;
+  Eigen::Vector3d put_by_joints_with_errors(const JointReading& reading, double* derivative) const;
 
   Convention convention_;
   std::vector<Link> links_;
   std::vector<LinkErrors> errors_;  // of all joints, or none: a rigid arm without columns for errors
-  bool sags_ = false;               // a joint gives way to gravity, or is asked whether it does
+  bool sags_ = false;               // a joint bends under gravity, or is asked whether it does
   double reference_temperature_;
   Eigen::Vector3d tip_in_last_;
   double tip_radius_;

@@ -24,7 +24,7 @@ constexpr std::size_t index_of(ParameterKind kind) {
 }
 
 /// How the reading's own numbers multiply each error of a joint, by ParameterKind from Cosine1 to Coupling.
-std::array<double, 6> factors_of(const JointSines& reading, std::size_t i) {
+std::array<double, 6> factors_of(const JointReading& reading, std::size_t i) {
   const double sine = reading.sines[2 * i];
   const double cosine = reading.sines[2 * i + 1];
   const bool has_angles = !reading.q.empty();
@@ -38,7 +38,7 @@ std::array<double, 6> factors_of(const JointSines& reading, std::size_t i) {
                        : not_known};
 }
 
-void put_turned(double* sines, const JointSines& reading, std::size_t i, double turn) {
+void put_turned(double* sines, const JointReading& reading, std::size_t i, double turn) {
   const double sine = std::sin(turn);
   const double cosine = std::cos(turn);
   sines[2 * i] = reading.sines[2 * i] * cosine + reading.sines[2 * i + 1] * sine;
@@ -47,11 +47,11 @@ void put_turned(double* sines, const JointSines& reading, std::size_t i, double 
 
 }  // namespace
 
-Eigen::Vector3d Sweep::walk_frames(const Posture& posture, Frames& frames) const {
+Eigen::Vector3d ForwardKinematics::walk_frames(const Posture& posture, Frames& frames) const {
   return walk(posture.sines.data(), posture.grown(), [&](std::size_t i, const Frame& frame) { frames.at[i] = frame; });
 }
 
-WeighedChain Sweep::weighed(const Frames& frames, const Eigen::Vector3d& tip) const {
+WeighedChain ForwardKinematics::weighed(const Frames& frames, const Eigen::Vector3d& tip) const {
   WeighedChain chain;
   chain.joints = links_.size();
   for (std::size_t i = 0; i < chain.joints; ++i) {
@@ -63,9 +63,9 @@ WeighedChain Sweep::weighed(const Frames& frames, const Eigen::Vector3d& tip) co
   return chain;
 }
 
-Sweep::Posture Sweep::posture_of(const JointSines& reading) const {
+ForwardKinematics::Posture ForwardKinematics::posture_of(const JointReading& reading) const {
   Posture posture;
-  posture.warmth = std::isnan(reading.temperature) ? 0.0 : reading.temperature - reference_temperature_;
+  posture.temperature_offset = std::isnan(reading.temperature) ? 0.0 : reading.temperature - reference_temperature_;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const JointErrors& size = errors_[i].size;
     assert(!reading.q.empty() || (size.gain == 0.0 && size.coupling == 0.0));
@@ -73,7 +73,7 @@ Sweep::Posture Sweep::posture_of(const JointSines& reading) const {
     posture.turns[i] = size.cosine[0] * by[0] + size.sine[0] * by[1] + size.cosine[1] * by[2] + size.sine[1] * by[3] +
                        (size.gain != 0.0 ? size.gain * by[4] : 0.0) +
                        (size.coupling != 0.0 ? size.coupling * by[5] : 0.0);
-    posture.growth[i] = 1.0 + size.expansion * posture.warmth;
+    posture.expansion_factor[i] = 1.0 + size.expansion * posture.temperature_offset;
     put_turned(posture.sines.data(), reading, i, posture.turns[i]);
   }
   for (int pass = 0; sags_ && pass < sag_passes; ++pass) {
@@ -90,7 +90,7 @@ Sweep::Posture Sweep::posture_of(const JointSines& reading) const {
 
 /// What the derivatives need of one posture: the tip by each joint angle φ = θ + sign·q', the sag's answer included,
 /// and by the torques that a parameter changes beside.
-struct Sweep::Slopes {
+struct ForwardKinematics::Slopes {
   Tips by_angle;   // B⁻¹ included
   Tips by_torque;  // the same times the compliances
 
@@ -103,7 +103,7 @@ struct Sweep::Slopes {
   }
 };
 
-Sweep::Slopes Sweep::slopes_of(const Frames& frames, const WeighedChain& chain) const {
+ForwardKinematics::Slopes ForwardKinematics::slopes_of(const Frames& frames, const WeighedChain& chain) const {
   const auto count = static_cast<Eigen::Index>(links_.size());
   const Eigen::Vector3d& tip = chain.points[links_.size()];
   Slopes slopes{Tips(3, count), Tips::Zero(3, count)};
@@ -130,7 +130,7 @@ Sweep::Slopes Sweep::slopes_of(const Frames& frames, const WeighedChain& chain) 
   return slopes;
 }
 
-Eigen::Vector3d Sweep::put_with_errors(const JointSines& reading, double* derivative) const {
+Eigen::Vector3d ForwardKinematics::put_with_errors(const JointReading& reading, double* derivative) const {
   const Posture posture = posture_of(reading);
   Frames frames;
   const Eigen::Vector3d tip = walk_frames(posture, frames);
@@ -145,14 +145,14 @@ Eigen::Vector3d Sweep::put_with_errors(const JointSines& reading, double* deriva
   };
   const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   const Frame& last = frames.at[links_.size()];
-  const double tip_growth = posture.growth[links_.size() - 1];
+  const double tip_expansion_factor = posture.expansion_factor[links_.size() - 1];
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const Frame& frame = frames.at[i];
-    const double growth = posture.growth[i];
+    const double expansion_factor = posture.expansion_factor[i];
     const std::size_t after_link = convention_ == Convention::Standard ? i + 1 : i;
-    put_motion(link.column_a, {after_link, none, none, growth * frame.x});
-    put_motion(link.column_d, {i + 1, none, none, growth * frame.z});
+    put_motion(link.column_a, {after_link, none, none, expansion_factor * frame.x});
+    put_motion(link.column_d, {i + 1, none, none, expansion_factor * frame.z});
     put(derivative, link.column_theta, slopes.by_angle.col(static_cast<Eigen::Index>(i)));
     put_motion(link.column_alpha, {after_link, frame.x, frame.x_at, none});
     if (link.has_beta) {
@@ -170,21 +170,21 @@ Eigen::Vector3d Sweep::put_with_errors(const JointSines& reading, double* deriva
       const bool ends = i + 1 == links_.size();
       const Eigen::Vector3d tip_in_base =
           tip_in_last_.x() * last.x + tip_in_last_.y() * last.y + tip_in_last_.z() * last.z;
-      const WeighedChain::Motion along_x{after_link, none, none, posture.warmth * link.a * frame.x};
+      const WeighedChain::Motion along_x{after_link, none, none, posture.temperature_offset * link.a * frame.x};
       const WeighedChain::Motion along_z{i + 1, none, none,
-                                         posture.warmth * (link.d * frame.z + (ends ? tip_in_base : none))};
+                                         posture.temperature_offset * (link.d * frame.z + (ends ? tip_in_base : none))};
       put(derivative, column,
           along_x.shift + along_z.shift + slopes.of(chain.change(along_x)) + slopes.of(chain.change(along_z)));
     }
   }
   const std::array<Eigen::Vector3d, 3> tip_axes{last.x, last.y, last.z};
   for (std::size_t k = 0; k < 3; ++k) {
-    put_motion(column_tip_[k], {links_.size(), none, none, tip_growth * tip_axes[k]});
+    put_motion(column_tip_[k], {links_.size(), none, none, tip_expansion_factor * tip_axes[k]});
   }
   return tip;
 }
 
-Eigen::Vector3d Sweep::put_by_joints_with_errors(const JointSines& reading, double* derivative) const {
+Eigen::Vector3d ForwardKinematics::put_by_joints_with_errors(const JointReading& reading, double* derivative) const {
   const Posture posture = posture_of(reading);
   Frames frames;
   const Eigen::Vector3d tip = walk_frames(posture, frames);

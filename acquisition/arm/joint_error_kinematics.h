@@ -7,16 +7,16 @@
 namespace artcal {
 
 /// What an arm with joint errors does at one reading.
-struct Sweep::Posture {
-  std::array<double, 2 * max_joints> sines;  ///< of the angles q', as JointSines
-  std::array<double, max_joints> turns{};    ///< q' − q but for the sag, rad
-  std::array<double, max_joints> torques{};  ///< N·mm
-  std::array<double, max_joints> growth{};   ///< of the links
-  double warmth = 0.0;                       ///< above the reference temperature, K
+struct ForwardKinematics::Posture {
+  std::array<double, 2 * max_joints> sines;           ///< of the angles q', as JointReading
+  std::array<double, max_joints> turns{};             ///< q' − q but for the sag, rad
+  std::array<double, max_joints> torques{};           ///< N·mm
+  std::array<double, max_joints> expansion_factor{};  ///< of the links
+  double temperature_offset = 0.0;                    ///< above the reference temperature, K
 
-  /// For Sweep::walk().
+  /// For ForwardKinematics::walk().
   [[nodiscard]] auto grown() const {
-    return [this](std::size_t link, double length) { return growth[link] * length; };
+    return [this](std::size_t link, double length) { return expansion_factor[link] * length; };
   }
 };
 

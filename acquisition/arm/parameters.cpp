@@ -56,8 +56,8 @@ auto& slot(AnyArm& arm, const Parameter& parameter) {
   return arm.probes[owner].tip_in_last.z();
 }
 
-constexpr double typical_torque = 1e3;   // N·mm
-constexpr double typical_warmth = 10.0;  // K
+constexpr double typical_torque = 1e3;               // N·mm
+constexpr double typical_temperature_offset = 10.0;  // K
 }  // namespace
 
 std::vector<Parameter> parameters_of(const Arm& arm) {
@@ -125,7 +125,7 @@ double physical_scale(const Parameter& parameter, double reach) {
     return 1.0;
   }
   const double size = parameter.kind == ParameterKind::Compliance  ? typical_torque
-                      : parameter.kind == ParameterKind::Expansion ? typical_warmth
+                      : parameter.kind == ParameterKind::Expansion ? typical_temperature_offset
                                                                    : 1.0;
   return 1.0 / (reach * size);
 }

@@ -62,7 +62,7 @@ Expected<std::vector<std::string>> CutOffWatch::judge(const std::string& where) 
     return bad_input(
         fmt::format("the last line has no line end, and {} in its last column has fewer digits than every number above "
                     "it; the file was probably cut off: copy it again, or add the line end if the number is complete",
-                    last_.empty() ? "nothing" : at_most(40, last_)),
+                    last_.empty() ? "nothing" : truncated(40, last_)),
         where);
   }
   return std::vector{fmt::format(

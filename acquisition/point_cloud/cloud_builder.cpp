@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-constexpr int most_joints = 24;  // as many as an arm may have
+constexpr int max_joints = 24;  // as many as an arm may have
 
 std::string lower(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
@@ -40,7 +40,7 @@ std::string list_of(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     text += (text.empty() ? "" : ", ") + name;
   }
-  return at_most(100, text);
+  return truncated(100, text);
 }
 
 // A unit that is wrong by 1000 or 25.4 shows in how much room the points take.
@@ -77,7 +77,7 @@ Expected<CloudColumns> find_cloud_columns(const std::vector<std::string>& names,
     columns.push_back(**found);
   }
   bool ended = false;
-  for (int joint = 1; joint <= most_joints; ++joint) {
+  for (int joint = 1; joint <= max_joints; ++joint) {
     const auto found = find_once(names, fmt::format("q{}", joint), where);
     if (!found) {
       return tl::unexpected(found.error());
@@ -98,12 +98,12 @@ Expected<CloudColumns> find_cloud_columns(const std::vector<std::string>& names,
   return columns;
 }
 
-CloudBuilder::CloudBuilder(const CloudUnits& units, std::size_t columns, std::size_t most_records)
-    : units_(units), points_(3, static_cast<Eigen::Index>(most_records)) {
+CloudBuilder::CloudBuilder(const CloudUnits& units, std::size_t columns, std::size_t max_records)
+    : units_(units), points_(3, static_cast<Eigen::Index>(max_records)) {
   if (columns > 3) {
-    joints_.resize(static_cast<Eigen::Index>(columns) - 3, static_cast<Eigen::Index>(most_records));
+    joints_.resize(static_cast<Eigen::Index>(columns) - 3, static_cast<Eigen::Index>(max_records));
   }
-  rows_.resize(most_records);
+  rows_.resize(max_records);
   low_.fill(std::numeric_limits<double>::infinity());
   high_.fill(-std::numeric_limits<double>::infinity());
 }

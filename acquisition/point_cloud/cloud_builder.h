@@ -25,7 +25,7 @@ Expected<CloudColumns> find_cloud_columns(const std::vector<std::string>& names,
 class CloudBuilder {
  public:
   /// Room for `most_records`, which the size of the file must have been seen to allow.
-  CloudBuilder(const CloudUnits& units, std::size_t columns, std::size_t most_records);
+  CloudBuilder(const CloudUnits& units, std::size_t columns, std::size_t max_records);
 
   /// One record, `columns` numbers in the file's units; left out and counted if one is not finite.
   /// REQUIRES: no more than most_records calls.

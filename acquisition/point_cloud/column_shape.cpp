@@ -11,7 +11,7 @@ bool is_whole(double value) { return value == std::round(value); }
 
 // Rows from which an order is hardly chance: one in sixty of five, and one in twelve of four.
 constexpr std::size_t telling_rows = 5;
-constexpr std::size_t fewest_rows = 3;
+constexpr std::size_t min_rows = 3;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void ColumnShape::add(const double* record) {
 
 std::optional<std::string> ColumnShape::objection() const {
   const bool constant = grows_ && falls_;
-  if (rows_ < fewest_rows || constant) {
+  if (rows_ < min_rows || constant) {
     return std::nullopt;
   }
   if (whole_ && counts_) {
@@ -51,7 +51,7 @@ std::optional<std::string> ColumnShape::objection() const {
 }
 
 std::optional<std::string> ColumnShape::doubt() const {
-  if (objection() || rows_ < fewest_rows) {
+  if (objection() || rows_ < min_rows) {
     return std::nullopt;
   }
   if (grows_ && falls_ && whole_ && 2 * rows_with_fractions_ >= rows_) {

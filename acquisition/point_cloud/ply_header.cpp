@@ -17,8 +17,8 @@ namespace artcal {
 namespace {
 
 constexpr std::size_t longest_line = 65536;
-constexpr std::size_t most_properties = 4096;
-constexpr std::size_t most_records = std::numeric_limits<int>::max();
+constexpr std::size_t max_properties = 4096;
+constexpr std::size_t max_records = std::numeric_limits<int>::max();
 
 using Words = std::vector<std::string_view>;
 
@@ -122,12 +122,12 @@ class Reader {
     std::uint64_t count = 0;
     if (words.size() == 3) {
       const auto [end, error] = std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
-      if (error == std::errc{} && end == words[2].data() + words[2].size() && count <= most_records) {
+      if (error == std::errc{} && end == words[2].data() + words[2].size() && count <= max_records) {
         header_.elements.push_back({std::string(words[1]), static_cast<std::size_t>(count), {}});
         return {};
       }
     }
-    return bad_input(fmt::format("expected element, a name and a whole number up to {}", most_records), where_);
+    return bad_input(fmt::format("expected element, a name and a whole number up to {}", max_records), where_);
   }
 
   Expected<void> take_property(const Words& words) {
@@ -140,7 +140,7 @@ class Reader {
           "the length (a whole number), that of the items, and a name",
           where_);
     }
-    if (header_.elements.empty() || header_.elements.back().properties.size() == most_properties) {
+    if (header_.elements.empty() || header_.elements.back().properties.size() == max_properties) {
       return bad_input(header_.elements.empty() ? "a property without an element before it" : "too many properties",
                        where_);
     }

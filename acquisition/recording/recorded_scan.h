@@ -10,7 +10,7 @@
 
 namespace artcal {
 
-/// Where a sphere of the artefact stands, so that a symmetric artefact can be told.
+/// Where a sphere of the artefact stands, so that a symmetric artefact can be determined.
 struct SpherePlace {
   std::string sphere;          ///< the feature's name
   Eigen::Vector3d at_in_base;  ///< mm

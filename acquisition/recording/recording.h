@@ -19,7 +19,7 @@ namespace artcal {
 struct IdentifyRequest {
   bool asked = true;              ///< whether it is to be identified: it says so, or asks for nothing at all
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
-  std::vector<std::string> free;  ///< parameters to identify although they are held by default
+  std::vector<std::string> free;  ///< parameters to identify although they are fixed by default
   std::string loss = "none";      ///< none, huber, cauchy
   std::string model = "dh";       ///< groups of parameters, as identification/models/model.h reads them
 };

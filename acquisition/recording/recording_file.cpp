@@ -131,7 +131,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path, const File
   const std::filesystem::path folder = path.parent_path();
   Recording recording;
   recording.inputs.push_back({path.string(), document->sha256()});
-  recording.name = root.name_or("name", at_most(80, path.stem().string()));
+  recording.name = root.name_or("name", truncated(80, path.stem().string()));
   recording.date = root.date_or("date", "");
   const std::string arm_path = root.has("probe") ? "" : root.text("arm");
   if (root.has("probe") && root.has("arm")) {

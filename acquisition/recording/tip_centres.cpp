@@ -95,9 +95,9 @@ Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm, con
   if (!probes) {
     return tl::unexpected(probes.error());
   }
-  std::vector<Sweep> sweeps;
+  std::vector<ForwardKinematics> kinematics_by_probe;
   for (const int probe : *probes) {
-    sweeps.emplace_back(arm, std::vector<Parameter>{}, probe);
+    kinematics_by_probe.emplace_back(arm, std::vector<Parameter>{}, probe);
   }
   TipCentres tips;
   tips.in_base.resize(3, recording.joints.cols());
@@ -107,7 +107,7 @@ Expected<TipCentres> tip_centres(const Recording& recording, const Arm& arm, con
     const std::span<const double> q(recording.joints.col(i).data(), joints);
     joint_sines(q, sines);
     const Reading& reading = recording.readings[static_cast<std::size_t>(i)];
-    tips.in_base.col(i) = sweeps[reading.probe].tip_in_base({sines, q, reading.arm_temperature});
+    tips.in_base.col(i) = kinematics_by_probe[reading.probe].tip_in_base({sines, q, reading.arm_temperature});
   }
   return tips;
 }

@@ -126,7 +126,7 @@ void count(BatchSummary& summary, const RecordingOutcome& outcome) {
   if (outcome.exit_code > 1 && outcome.entry[StoreTable::Files].empty() && !outcome.was_known) {
     summary.not_stored[outcome.path] = outcome.error;
   }
-  if (outcome.exit_code > 1 && summary.failures.size() < BatchSummary::most_listed) {
+  if (outcome.exit_code > 1 && summary.failures.size() < BatchSummary::max_listed) {
     summary.failures.push_back({outcome.path, outcome.exit_code, outcome.error, false, false, false, {}, {}, {}});
   }
   summary.pages += !outcome.results.empty() && outcome.page_error.empty();

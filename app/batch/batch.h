@@ -29,7 +29,7 @@ struct BatchSummary {
   int exit_code = 0;      ///< 3 where a file was refused or a report could not be written, else 4 where one had no
                           ///< solution, else 1 where one was not shown
   std::vector<RecordingOutcome> failures;  ///< in the order of the files, without their rows; at most most_listed
-  static constexpr std::size_t most_listed = 1000;
+  static constexpr std::size_t max_listed = 1000;
   std::map<std::string, std::string> page_errors;  ///< by path: why there is no report
   std::map<std::string, std::string> not_stored;   ///< by path: failures that the store has no row of
 

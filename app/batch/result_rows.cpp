@@ -57,7 +57,7 @@ std::string lower_triangle(const Eigen::MatrixXd& matrix) {
 // [{"a6":1,"theta6":-0.00545}]: of each combination its parameters, in mm and rad.
 std::string combinations_text(const Coupling& coupling) {
   nlohmann::ordered_json combinations = nlohmann::ordered_json::array();
-  for (const ParameterMotion& motion : coupling.lost) {
+  for (const ParameterMotion& motion : coupling.unidentifiable) {
     combinations.push_back(motion_json(coupling, motion));
   }
   return combinations.dump();
@@ -121,7 +121,7 @@ void add_recording(StoreRows& rows, const std::string& key, const std::string& o
 void add_identification(StoreRows& rows, const std::string& key, const Identification& result) {
   rows[StoreTable::Identifications].push_back(
       {key, whole(result.coupling.rank), result.noise, whole(result.noise_is_given), result.chi_squared,
-       whole(result.degrees_of_freedom), result.enlargement, number_or_null(result.before.overall.rms),
+       whole(result.degrees_of_freedom), result.scale_factor, number_or_null(result.before.overall.rms),
        number_or_null(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
        rms_left_out(result), whole(result.outliers.size()), lower_triangle(result.covariance),
        arm_file_text(result.arm, std::nullopt), combinations_text(result.coupling)});

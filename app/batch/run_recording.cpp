@@ -96,7 +96,7 @@ Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& op
 
 void note_error(RecordingOutcome& outcome, const Error& error) {
   outcome.exit_code = std::max(outcome.exit_code, static_cast<int>(error.code));
-  outcome.error += (outcome.error.empty() ? "" : "; ") + at_most(largest::message, error.text());
+  outcome.error += (outcome.error.empty() ? "" : "; ") + truncated(largest::message, error.text());
 }
 
 void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& options, Keep keep) {

@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-constexpr int most_shards = 1'000'000;
+constexpr int max_shards = 1'000'000;
 
 std::optional<int> whole(std::string_view text) {
   int value = 0;
@@ -40,7 +40,7 @@ Expected<Shard> of_slurm(const std::function<const char*(const char*)>& variable
 
 }  // namespace
 
-Expected<Shard> understand_shard(const std::string& text, const std::function<const char*(const char*)>& variable) {
+Expected<Shard> parse_shard(const std::string& text, const std::function<const char*(const char*)>& variable) {
   if (text.empty()) {
     return of_slurm(variable);
   }
@@ -48,7 +48,7 @@ Expected<Shard> understand_shard(const std::string& text, const std::function<co
   const std::string_view after = slash == std::string::npos ? "" : std::string_view(text).substr(slash + 1);
   const int index = whole(std::string_view(text).substr(0, slash)).value_or(0);
   const int count = whole(after).value_or(0);
-  if (index < 1 || count < index || count > most_shards) {
+  if (index < 1 || count < index || count > max_shards) {
     return wrong_usage(fmt::format("{} is no shard, expected such as 3/8: the third of eight", in_quotes(text)));
   }
   return Shard{index - 1, count};

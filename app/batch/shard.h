@@ -16,6 +16,6 @@ struct Shard {
 /// "3/8" is the third of eight. For "" the part of a Slurm job array that `variable` (getenv) tells, where it does:
 /// SLURM_ARRAY_TASK_ID from SLURM_ARRAY_TASK_MIN on, SLURM_ARRAY_TASK_COUNT of them; else all. Refused as wrong usage:
 /// what is no such part, an array that counts in steps.
-Expected<Shard> understand_shard(const std::string& text, const std::function<const char*(const char*)>& variable);
+Expected<Shard> parse_shard(const std::string& text, const std::function<const char*(const char*)>& variable);
 
 }  // namespace artcal

@@ -13,7 +13,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_told = 20;
+constexpr std::size_t most_listed = 20;
 
 }  // namespace
 
@@ -35,18 +35,18 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
   if (!summary.failures.empty()) {
     text += "\nFailed:\n";
   }
-  for (std::size_t i = 0; i < std::min(most_told, summary.failures.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_listed, summary.failures.size()); ++i) {
     const RecordingOutcome& failure = summary.failures[i];
     text +=
-        fmt::format("  {}\n    {}\n", in_one_line(valid_utf8(failure.path)), at_most(400, valid_utf8(failure.error)));
+        fmt::format("  {}\n    {}\n", in_one_line(valid_utf8(failure.path)), truncated(400, valid_utf8(failure.error)));
   }
-  if (summary.failed > most_told) {
-    text += fmt::format("  … {} more; they are in the store: files with an error\n", summary.failed - most_told);
+  if (summary.failed > most_listed) {
+    text += fmt::format("  … {} more; they are in the store: files with an error\n", summary.failed - most_listed);
   }
   if (!summary.page_errors.empty()) {
     const auto& [path, error] = *summary.page_errors.begin();
     text += fmt::format("\nThe first report that was not written is of {}:\n  {}\n", in_one_line(valid_utf8(path)),
-                        at_most(400, in_one_line(valid_utf8(error))));
+                        truncated(400, in_one_line(valid_utf8(error))));
   }
   return text + fmt::format("\nThe results are in {}.\n", store);
 }
@@ -59,13 +59,13 @@ std::string failure_line(const BatchSummary& summary) {
   if (!summary.failures.empty()) {
     const RecordingOutcome& first = summary.failures.front();
     text += fmt::format(", the first is {}: {}", in_one_line(valid_utf8(first.path)),
-                        at_most(400, in_one_line(valid_utf8(first.error))));
+                        truncated(400, in_one_line(valid_utf8(first.error))));
   }
   if (!summary.page_errors.empty()) {
     const auto& [path, error] = *summary.page_errors.begin();
     text += fmt::format("{}{} were not written, the first is of {}: {}", text.empty() ? "" : "; ",
                         plural(summary.page_errors.size(), "report"), in_one_line(valid_utf8(path)),
-                        at_most(400, in_one_line(valid_utf8(error))));
+                        truncated(400, in_one_line(valid_utf8(error))));
   }
   return text;
 }

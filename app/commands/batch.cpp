@@ -63,7 +63,7 @@ Expected<void> write_index(const Request& request, Store& store, const std::vect
 }
 
 Expected<int> run_and_tell(const Request& request) {
-  const auto shard = understand_shard(request.shard, [](const char* name) { return std::getenv(name); });
+  const auto shard = parse_shard(request.shard, [](const char* name) { return std::getenv(name); });
   if (!shard) {
     return tl::unexpected(shard.error());
   }

@@ -44,7 +44,7 @@ Expected<PointCloud> read_points(const Request& request, FitReport& report) {
 Expected<int> fit_and_tell(const Request& request) {
   const auto start = Clock::now();
   FitReport report;
-  auto understood = understand(request.words);
+  auto understood = parse(request.words);
   if (!understood) {
     return tl::unexpected(understood.error());
   }

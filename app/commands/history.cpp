@@ -24,8 +24,8 @@ struct Request {
 std::string uses_text(const std::string& number, const std::vector<CertificateUse>& uses) {
   Table table({"arm", "date", "recording", "artefact", "laboratory", "file"});
   for (const CertificateUse& use : uses) {
-    table.add({at_most(40, use.arm), use.date.empty() ? "no date" : use.date, at_most(40, use.name),
-               at_most(40, use.artefact), at_most(40, use.laboratory),
+    table.add({truncated(40, use.arm), use.date.empty() ? "no date" : use.date, truncated(40, use.name),
+               truncated(40, use.artefact), truncated(40, use.laboratory),
                use.path.empty() ? "no longer there" : in_one_line(use.path)});
   }
   return fmt::format("Results that rest on certificate {}: {}\n\n{}", in_quotes(number), uses.size(), table.text());

@@ -133,7 +133,7 @@ Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
-  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
+  parser.add_option("--report", request->report, "write a report (HTML, prints on A4)")->type_name("FILE.html");
   request->dcc.add_to(parser);
   request->choices.add_to(parser, "Options");
   request->choices.add_noise_of_parts_to(parser);

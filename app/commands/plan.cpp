@@ -192,8 +192,8 @@ Expected<int> plan_and_tell(const Request& request) {
   if (auto checked = check_outputs({request.common.json, request.table, request.picture}, to_be_kept); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (auto stands = request.stand.add_to(possible->plan.stand); !stands) {
-    return tl::unexpected(stands.error());
+  if (auto stable = request.stand.add_to(possible->plan.stand); !stable) {
+    return tl::unexpected(stable.error());
   }
   const auto simulation = simulate(possible->plan);
   if (!simulation) {
@@ -258,7 +258,7 @@ Run set_up_plan(CLI::App& parser) {
                   "table of the readings to take: joint angles, and how the artefact stands (position and turn as in "
                   "plan.toml)")
       ->type_name("CSV");
-  parser.add_option("--picture", request->picture, "where the artefact is to stand, as SVG")->type_name("SVG");
+  parser.add_option("--picture", request->picture, "the placements proposed, as SVG")->type_name("SVG");
   parser.add_option("--starts", request->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
   parser.add_option("--seed", request->options.seed, "of all that is drawn");
   request->access.add_to(parser);

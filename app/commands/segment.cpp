@@ -155,7 +155,7 @@ Expected<int> segment_and_tell(const Request& request) {
 Run set_up_segment(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("scan", request->scan, "PCD, PLY or text of x, y, z")->required()->type_name("SCAN");
-  parser.add_option("--artefact", request->artefact, "artefact.toml: what stands in the scan")
+  parser.add_option("--artefact", request->artefact, "artefact.toml: the artefact that was scanned")
       ->required()
       ->type_name("FILE");
   parser.add_option("--unit", request->unit, "of the scan's coordinates: mm, um, m or in")
@@ -166,7 +166,7 @@ Run set_up_segment(CLI::App& parser) {
                     "of distances between spheres, such as \"0.5 mm\"; else a tenth of the radius");
   parser.add_option("--radius", request->radius, "of the fitted spheres: the certified one, or what the points show")
       ->check(CLI::IsMember({"fixed", "free"}));
-  parser.add_option("--place", request->places, "which sphere is which, where distances do not tell: NAME=x,y,z")
+  parser.add_option("--place", request->places, "which sphere is which, where distances do not show it: NAME=x,y,z")
       ->type_name("PLACE");
   add_columns_option(parser, request->columns);
   request->access.add_to(parser);

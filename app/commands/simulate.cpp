@@ -140,7 +140,7 @@ Expected<FolderFiles> scan_files(const Simulation& simulation) {
 FolderFiles made_files(const PlanFile& file, const Simulation& simulation, const RecordingFiles& names,
                        const nlohmann::ordered_json& truth) {
   std::vector<std::string> comment{
-      fmt::format("Simulated by artcal {}, seed {}; what is true stands in truth-arm.toml and truth.json.",
+      fmt::format("Simulated by artcal {}, seed {}; the true values are in truth-arm.toml and truth.json.",
                   program_version, file.plan.seed)};
   const Noise& noise = simulation.recording.noise;
   if (!noise.is_given()) {
@@ -182,17 +182,17 @@ std::string dilution_text(const SimulationPlan& plan) {
 std::string summary(const PlanFile& file, const Simulation& simulation, const Request& request) {
   const SimulationPlan& plan = file.plan;
   std::string text = fmt::format("{}\narm \"{}\": {} simulated readings, {} placements, seed {}\n\n",
-                                 at_most(200, plan.name), at_most(80, plan.nominal.name),
+                                 truncated(200, plan.name), truncated(80, plan.nominal.name),
                                  simulation.recording.readings.size(), simulation.placements.size(), plan.seed);
   Table table({"placement", "readings", "x mm", "y mm", "z mm", "degC"});
-  constexpr std::size_t most_rows = 20;
+  constexpr std::size_t max_rows = 20;
   for (const RealPlacement& placement : simulation.placements) {
     const Eigen::Vector3d& at = placement.base_from_artefact.translation;
-    table.add({at_most(40, placement.name), fmt::format("{}", placement.readings), fmt::format("{:.1f}", at.x()),
+    table.add({truncated(40, placement.name), fmt::format("{}", placement.readings), fmt::format("{:.1f}", at.x()),
                fmt::format("{:.1f}", at.y()), fmt::format("{:.1f}", at.z()),
                fmt::format("{:.2f}", placement.temperature)});
-    if (&placement - simulation.placements.data() + 1 == most_rows && simulation.placements.size() > most_rows) {
-      table.add({fmt::format("… {} more", simulation.placements.size() - most_rows)});
+    if (&placement - simulation.placements.data() + 1 == max_rows && simulation.placements.size() > max_rows) {
+      table.add({fmt::format("… {} more", simulation.placements.size() - max_rows)});
       break;
     }
   }

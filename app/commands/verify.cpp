@@ -122,10 +122,10 @@ Run set_up_verify(CLI::App& parser) {
       .add_option("--against", request->against,
                   "interim check: a JSON result of an earlier verification to hold a few values against")
       ->type_name("FILE");
-  parser.add_option("--report", request->report, "write a page to look at and to print")->type_name("FILE.html");
+  parser.add_option("--report", request->report, "write a report (HTML, prints on A4)")->type_name("FILE.html");
   parser
       .add_option("--artefact-out", request->artefact_out,
-                  "sphere-plate: write the plate as four or more placements tell it, an artefact file")
+                  "sphere-plate: write the plate as four or more placements determine it, an artefact file")
       ->type_name("FILE");
   request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");

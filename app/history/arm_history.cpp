@@ -20,10 +20,10 @@ std::string text_of(const StoreValue& value) { return StoreReader::text_or_empty
 std::string certificate_in_words(const StoreRow& row) {
   std::string text = fmt::format("{} {}", text_of(row[1]), in_quotes(text_of(row[0])));
   if (!text_of(row[2]).empty()) {
-    text += ", certificate " + at_most(60, text_of(row[2]));
+    text += ", certificate " + truncated(60, text_of(row[2]));
   }
   if (!text_of(row[3]).empty()) {
-    text += " of " + at_most(60, text_of(row[3]));
+    text += " of " + truncated(60, text_of(row[3]));
   }
   return text_of(row[4]).empty() ? text : text + ", " + text_of(row[4]);
 }
@@ -79,8 +79,8 @@ std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std:
     if (is_identified(parameter)) {
       parameter.u = reader.number(row[4], "standard uncertainty of a parameter");
       parameter.degrees_of_freedom = parameter_freedom(reader, row[5], row[6], of_noise);
-    } else if (parameter.state != result_name(ParameterState::Held) &&
-               parameter.state != result_name(ParameterState::Lost)) {
+    } else if (parameter.state != result_name(ParameterState::Fixed) &&
+               parameter.state != result_name(ParameterState::Unidentifiable)) {
       reader.fail(fmt::format("the state of a parameter is {}", in_quotes(parameter.state)));
     }
     parameters.push_back(std::move(parameter));
@@ -149,7 +149,7 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
     if (auto arm = arm_of_text(text, "arm_file")) {
       calibration.arm = std::move(*arm);
     } else {
-      reader.fail("its arm is none: " + at_most(200, arm.error().message));
+      reader.fail("its arm is none: " + truncated(200, arm.error().message));
     }
   }
   std::vector<std::string> names;

@@ -34,7 +34,7 @@ std::string in_common_text(const std::vector<std::string>& certificates) {
 std::string calibrations_text(const ArmHistory& history) {
   Table table({"calibration", "recording", "rms before mm", "rms after mm", "certificates"});
   for (const Calibration& calibration : history.calibrations) {
-    table.add({date_of(calibration.entry), at_most(40, calibration.entry.name),
+    table.add({date_of(calibration.entry), truncated(40, calibration.entry.name),
                calibration.rms_before ? fmt::format("{:.4f}", *calibration.rms_before) : std::string("not evaluable"),
                fmt::format("{:.4f}", calibration.rms_after), listed(calibration.entry.certificates)});
   }
@@ -111,8 +111,8 @@ std::string step_text(const ArmHistory& history, const VerificationStep& step, b
     if (all || drift.significant) {
       any = true;
       const std::string between = drift.second.empty() ? drift.first : drift.first + " - " + drift.second;
-      table.add({fmt::format("  {} {}, placement {}", name_of(drift.quantity), at_most(40, between),
-                             at_most(20, drift.placement)),
+      table.add({fmt::format("  {} {}, placement {}", name_of(drift.quantity), truncated(40, between),
+                             truncated(20, drift.placement)),
                  fmt::format("{:+.4f}", drift.then), fmt::format("{:+.4f}", drift.now),
                  fmt::format("{:+.4f}", drift.drift), fmt::format("{:.4f}", drift.u),
                  drift.significant ? "significant" : ""});

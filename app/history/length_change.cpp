@@ -22,10 +22,10 @@ std::vector<double> drawn_posture(const Arm& arm, RandomStream& random) {
   return q;
 }
 
-Eigen::Vector3d tip(const Sweep& sweep, const std::vector<double>& q) {
+Eigen::Vector3d tip(const ForwardKinematics& kinematics, const std::vector<double>& q) {
   std::vector<double> sines(2 * q.size());
   joint_sines(q, sines);
-  return sweep.tip_in_base({sines, q});
+  return kinematics.tip_in_base({sines, q});
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::optional<LengthChange> length_change(const Arm& then, const Arm& now) {
   if (then.joints.size() != now.joints.size()) {
     return std::nullopt;
   }
-  const Sweep before(then, {}, 0), after(now, {}, 0);
+  const ForwardKinematics before(then, {}, 0), after(now, {}, 0);
   RandomStream random(1, "change of lengths");
   LengthChange change;
   double squares = 0.0;

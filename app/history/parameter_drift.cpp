@@ -19,8 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t most_drawn = 6;  // as many as there are marks to tell them apart
-constexpr double most_u = 2.0;         // of what is drawn of the first of them
+constexpr std::size_t max_drawn = 6;  // as many as there are marks to determine them apart
+constexpr double max_u = 2.0;         // of what is drawn of the first of them
 
 /// The identifications that are comparable with the last, the oldest first.
 std::vector<const Calibration*> comparable(const ArmHistory& history) {
@@ -52,8 +52,8 @@ Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std
                    [](const auto& a, const auto& b) { return severity(a) > severity(b); });
   // A parameter that is told much more poorly would fill the picture with its bars.
   const double shown_size = extent(changes.front());
-  std::erase_if(changes, [&](const ParameterChange& change) { return change.u > most_u * shown_size; });
-  changes.resize(std::min(changes.size(), most_drawn));
+  std::erase_if(changes, [&](const ParameterChange& change) { return change.u > max_u * shown_size; });
+  changes.resize(std::min(changes.size(), max_drawn));
   const TimeLabels times = labels_of(calibrations);
   std::vector<CalibrationStep> steps;  // all in the gauge of the first
   for (const Calibration* calibration : calibrations) {

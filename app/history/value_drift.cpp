@@ -21,8 +21,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t most_drawn = 6;  // as many as there are marks to tell them apart
-constexpr std::size_t most_rows = 60;
+constexpr std::size_t max_drawn = 6;  // as many as there are marks to determine them apart
+constexpr std::size_t max_rows = 60;
 
 /// The verifications by one standard, and what their times are called.
 struct Times {
@@ -118,7 +118,7 @@ void write_most_changed(const std::vector<Drift>& drifts, const std::vector<Valu
                         Sheet& sheet) {
   const char* quantity = name_of(drifts.front().quantity);
   Json series = Json::array();
-  for (std::size_t i = 0; i < std::min(most_drawn, drifts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_drawn, drifts.size()); ++i) {
     const auto value =
         std::find_if(values.begin(), values.end(), [&](const ValueOverTime& one) { return is_of(one, drifts[i]); });
     Line line;
@@ -152,7 +152,7 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
                      {"u"},
                      {"change / u"},
                      {"", false, false, false, false, true}});
-  for (std::size_t i = 0; i < std::min(most_rows, drifts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_rows, drifts.size()); ++i) {
     const Drift& drift = drifts[i];
     table.add_markup(
         {html::cell(name_of(drift.quantity)), html::cell(place_of(drift.placement, drift.first, drift.second)),
@@ -164,8 +164,8 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
         drift.significant ? "notable" : "");
   }
   sheet.table(table);
-  if (drifts.size() > most_rows) {
-    sheet.paragraph(fmt::format("{} more changed less; artcal history --json has them.", drifts.size() - most_rows));
+  if (drifts.size() > max_rows) {
+    sheet.paragraph(fmt::format("{} more changed less; artcal history --json has them.", drifts.size() - max_rows));
   }
 }
 
@@ -198,7 +198,7 @@ void write_value_drift(const ArmHistory& history, Sheet& sheet) {
       write_most_changed(of_quantity, values[standard], times, sheet);
     }
     write_changes(drifts, times, sheet);
-    if (!check.any_told()) {
+    if (!check.any_judged()) {
       sheet.note("⚠ Without repeats nothing can be called significant.");
     }
   }

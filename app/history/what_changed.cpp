@@ -70,8 +70,8 @@ bool is_length(const Drift& drift) { return !drift.second.empty(); }
 
 std::string drift_in_words(const Drift& drift, const char* micrometre) {
   return fmt::format("{} {}, placement {}, by {:+.1f} {}", name_of(drift.quantity),
-                     at_most(40, drift.second.empty() ? drift.first : drift.first + " - " + drift.second),
-                     at_most(30, drift.placement), drift.drift / units::micrometre, micrometre);
+                     truncated(40, drift.second.empty() ? drift.first : drift.first + " - " + drift.second),
+                     truncated(30, drift.placement), drift.drift / units::micrometre, micrometre);
 }
 
 ChangeSentence values_changed(const ArmHistory& history, const std::vector<const VerificationStep*>& steps,
@@ -103,7 +103,7 @@ ChangeSentence values_changed(const ArmHistory& history, const std::vector<const
 }  // namespace
 
 std::string day_of(const HistoryEntry& entry) {
-  return entry.date.empty() ? "no date, recording " + in_quotes(entry.name) : at_most(40, entry.date);
+  return entry.date.empty() ? "no date, recording " + in_quotes(entry.name) : truncated(40, entry.date);
 }
 
 std::string lengths_in_words(const CalibrationStep& step, const char* micrometre) {

@@ -4,7 +4,7 @@
 
 namespace artcal {
 
-mode_t permitted(mode_t mode) {
+mode_t file_mode(mode_t mode) {
   // It can only be read by being set, for all threads: once.
   static const mode_t mask = [] {
     const mode_t found = ::umask(0);

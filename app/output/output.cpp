@@ -72,7 +72,7 @@ Expected<void> write_file(const std::string& path, const std::string& text) {
   if (file < 0) {
     return cannot_write(path);
   }
-  const bool written = write_all(file, text) && ::fchmod(file, permitted(0666)) == 0 && ::fsync(file) == 0;
+  const bool written = write_all(file, text) && ::fchmod(file, file_mode(0666)) == 0 && ::fsync(file) == 0;
   const int reason = errno;
   const bool closed = ::close(file) == 0;
   if (!written || !closed || std::rename(temporary.c_str(), target.c_str()) != 0) {
@@ -148,7 +148,7 @@ Expected<void> write_json(const std::string& path, const nlohmann::ordered_json&
 }
 
 int report_error(const Error& error) {
-  fmt::print(stderr, "artcal: {}\n", at_most(largest::message, without_passwords(error.text())));
+  fmt::print(stderr, "artcal: {}\n", truncated(largest::message, without_passwords(error.text())));
   return static_cast<int>(error.code);
 }
 

@@ -95,7 +95,7 @@ Expected<void> write_folder(const std::string& path, const FolderFiles& files, b
   }
   std::error_code ignored;
   auto written = fill(temporary, files);
-  if (written && (::chmod(temporary.c_str(), permitted(0777)) != 0 || !put_in_place(temporary, target))) {
+  if (written && (::chmod(temporary.c_str(), file_mode(0777)) != 0 || !put_in_place(temporary, target))) {
     written = cannot_write(path);
   }
   fs::remove_all(temporary, ignored);

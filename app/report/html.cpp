@@ -10,10 +10,10 @@ namespace artcal::html {
 namespace {
 
 constexpr std::size_t longest = 4000;
-constexpr std::size_t most_of_a_short_table = 12;
+constexpr std::size_t max_of_a_short_table = 12;
 constexpr std::size_t longest_whole_word = 28;  // characters
-constexpr std::size_t most_columns_of_a_narrow_table = 4;
-constexpr std::size_t most_columns_with_much_room = 8;
+constexpr std::size_t max_columns_of_a_narrow_table = 4;
+constexpr std::size_t max_columns_with_much_room = 8;
 
 std::string class_of(const Column& column) {
   const std::string kind = column.is_number ? "number" : column.is_whole ? "whole" : "";
@@ -56,7 +56,7 @@ std::string css_string(std::string_view heading) { return fmt::format("'{}'", te
 
 std::string text(std::string_view found) {
   std::string escaped;
-  for (const char c : at_most(longest, found)) {
+  for (const char c : truncated(longest, found)) {
     switch (c) {
       case '&': escaped += "&amp;"; break;
       case '<': escaped += "&lt;"; break;
@@ -70,7 +70,7 @@ std::string text(std::string_view found) {
 }
 
 std::string cell(std::string_view found) {
-  const std::string whole = at_most(longest, found);
+  const std::string whole = truncated(longest, found);
   std::string markup;
   for (std::size_t begin = 0; begin <= whole.size();) {
     const std::size_t end = std::min(whole.find(' ', begin), whole.size());
@@ -135,14 +135,14 @@ std::string Table::markup(std::string_view attributes) const {
     }
     body += "</tr>\n";
   }
-  const bool is_wide = shown.size() > most_columns_of_a_narrow_table;
+  const bool is_wide = shown.size() > max_columns_of_a_narrow_table;
   return fmt::format(
       "<div class=\"table{}{}\"{}><table{}{}>\n<caption>{}</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>"
       "</table></div>\n",
-      rows_.size() <= most_of_a_short_table ? " short" : "",
-      !is_wide                                     ? ""
-      : shown.size() > most_columns_with_much_room ? " wide dense"
-                                                   : " wide",
+      rows_.size() <= max_of_a_short_table ? " short" : "",
+      !is_wide                                    ? ""
+      : shown.size() > max_columns_with_much_room ? " wide dense"
+                                                  : " wide",
       is_wide ? fmt::format(" style=\"{}\"", labels) : "", attributes.empty() ? "" : " ", attributes, caption_, head,
       body);
 }

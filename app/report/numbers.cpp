@@ -26,7 +26,7 @@ std::string micrometres(double mm) { return formatted("{:.1f}", mm / units::micr
 std::string signed_micrometres(double mm) { return formatted("{:+.1f}", mm / units::micrometre); }
 std::string two_digits(double value) { return formatted("{:.2g}", value); }
 
-std::string shown(const std::string& name) { return at_most(100, name); }
+std::string shown(const std::string& name) { return truncated(100, name); }
 
 double number_in(const Json& json) {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();

@@ -59,7 +59,7 @@ std::string css_string(std::string_view text) {
 std::string running_style(const std::string& running) {
   return running.empty() ? ""
                          : fmt::format("@page {{ @bottom-left {{ content: {}; font: 9pt sans-serif; }} }}\n",
-                                       css_string(at_most(80, running)));
+                                       css_string(truncated(80, running)));
 }
 
 }  // namespace

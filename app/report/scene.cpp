@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 using Point = std::array<double, 3>;
 using namespace numbers;
 
-constexpr int most_vectors = 1200;
-constexpr std::size_t most_in_a_line = 8;  // features of a bar; those of a plate stay dots
+constexpr int max_vectors = 1200;
+constexpr std::size_t max_in_a_line = 8;  // features of a bar; those of a plate stay dots
 // Of the scene's size: the rms of the errors, and the longest.
 constexpr double rms_drawn = 0.03, longest_drawn = 0.25;
 
@@ -68,7 +68,7 @@ Json artefacts_of(const Json& features) {
     placements[{text_in(feature, "artefact"), text_in(feature, "placement")}].push_back(at);
   }
   for (const auto& [name, points] : placements) {
-    if (points.size() > 1 && points.size() <= most_in_a_line) {
+    if (points.size() > 1 && points.size() <= max_in_a_line) {
       std::for_each(points.begin(), points.end(), [&](const Point& point) { lines.add(point); });
       lines.gap();
     }
@@ -118,14 +118,14 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
     length.push_back(std::hypot(readings.offset[0][i], readings.offset[1][i], readings.offset[2][i]));
   }
   const double longest = length.empty() ? 0.0 : *std::max_element(length.begin(), length.end());
-  const double enlargement = enlargement_for(length, std::max(size_of(readings.tip), 1.0));
+  const double scale_factor = enlargement_for(length, std::max(size_of(readings.tip), 1.0));
   Points vectors;
-  const auto kept = thinned(order, length, most_vectors);
+  const auto kept = thinned(order, length, max_vectors);
   for (const int i : kept) {
     Point from{}, to{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       to[axis] = readings.tip[axis][i] - readings.offset[axis][i];
-      from[axis] = to[axis] + enlargement * readings.offset[axis][i];
+      from[axis] = to[axis] + scale_factor * readings.offset[axis][i];
     }
     vectors.add(to);
     vectors.add(from);
@@ -137,13 +137,13 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
       fmt::format("{}, {}. Errors are lines from where the tip should have been towards where it was, {:g} times as "
                   "long as they are; the longest is {} mm. The arm stands in the posture of one reading. Drag to "
                   "turn.{}",
-                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), enlargement,
+                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), scale_factor,
                   mm(longest), kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
       {{"kind", "scene"},
        {"arm", arm_of(identification)},
        {"artefacts", artefacts_of(identification.at("after").at("features"))},
        {"vectors", vectors.json()},
-       {"enlargement", enlargement}},
+       {"enlargement", scale_factor}},
       true};
 }
 

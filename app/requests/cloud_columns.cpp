@@ -6,10 +6,9 @@ namespace artcal {
 
 void add_columns_option(CLI::App& parser, std::vector<int>& columns) {
   parser
-      .add_option(
-          "--columns", columns,
-          "text: which columns are x, y and z, counted from 1, such as 2,3,4; else the header tells, or they are "
-          "the first three")
+      .add_option("--columns", columns,
+                  "text: which columns are x, y and z, counted from 1, such as 2,3,4; by default from the header, or "
+                  "the first three")
       ->delimiter(',')
       ->type_name("X,Y,Z");
 }

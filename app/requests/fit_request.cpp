@@ -122,7 +122,7 @@ std::string_view name_of(Criterion criterion) { return find_name(criteria, crite
 std::vector<std::string> shape_names() { return names_of(shapes); }
 std::vector<std::string> criterion_names() { return names_of(criteria); }
 
-Expected<FitRequest> understand(const FitWords& words) {
+Expected<FitRequest> parse(const FitWords& words) {
   FitRequest request;
   const auto shape = find_value(shapes, words.shape);
   const auto criterion = find_value(criteria, words.criterion);

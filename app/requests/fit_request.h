@@ -34,7 +34,7 @@ struct FitRequest {
 };
 
 /// Usage errors for units and quantities that are none, and for what contradicts itself.
-Expected<FitRequest> understand(const FitWords& words);
+Expected<FitRequest> parse(const FitWords& words);
 
 /// The words that --shape and --criterion take.
 std::vector<std::string> shape_names();

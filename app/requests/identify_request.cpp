@@ -48,7 +48,7 @@ void IdentifyChoices::add_to(CLI::App& parser, const std::string& group) {
       ->delimiter(',')
       ->type_name("NAMES")
       ->group(group);
-  parser.add_option("--free", free, "parameters to identify although they are held by default, such as a6")
+  parser.add_option("--free", free, "parameters to identify although they are fixed by default, such as a6")
       ->delimiter(',')
       ->type_name("NAMES")
       ->group(group);

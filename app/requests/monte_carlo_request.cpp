@@ -50,10 +50,10 @@ void MonteCarloRequest::add_to(CLI::App& parser) {
   CLI::Option* flag =
       parser.add_flag("--monte-carlo", asked,
                       "of a RECORDING: identify again and again from readings and certificates drawn anew (JCGM 101)");
-  parser.add_option("--trials", trials, "how many; auto: until u stands to its digits")
+  parser.add_option("--trials", trials, "how many; auto: until u is stable to its digits")
       ->group(group)
       ->type_name("N|auto");
-  parser.add_option("--digits", digits, "of u that are to stand")->check(CLI::Range(1, 2))->group(group);
+  parser.add_option("--digits", digits, "of u that are to be stable")->check(CLI::Range(1, 2))->group(group);
   parser.add_option("--threads", threads, "0 takes all; the result is the same")
       ->check(CLI::NonNegativeNumber)
       ->group(group);
@@ -92,9 +92,9 @@ Expected<TrialRange> MonteCarloRequest::range() const {
   TrialRange range{0, {std::nullopt, digits}};
   if (trials != "auto") {
     range.wanted.number = whole_number(trials);
-    if (!range.wanted.number || *range.wanted.number < 2 || *range.wanted.number > most_trials) {
+    if (!range.wanted.number || *range.wanted.number < 2 || *range.wanted.number > max_trials) {
       return wrong_usage(
-          fmt::format("--trials is {}, expected a number from 2 to {}, or auto", in_quotes(trials), most_trials));
+          fmt::format("--trials is {}, expected a number from 2 to {}, or auto", in_quotes(trials), max_trials));
     }
   }
   if (shard.empty()) {

@@ -48,10 +48,10 @@ std::string artefact_in_words(const Artefact& artefact) {
     text += ", certificate";
   }
   if (!certificate.number.empty()) {
-    text += " " + at_most(widest, certificate.number);
+    text += " " + truncated(widest, certificate.number);
   }
   if (!certificate.laboratory.empty()) {
-    text += " of " + at_most(widest, certificate.laboratory);
+    text += " of " + truncated(widest, certificate.laboratory);
   }
   if (!certificate.date.empty()) {
     text += ", " + certificate.date;

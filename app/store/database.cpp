@@ -188,7 +188,7 @@ bool Database::is_postgresql() const { return connection_->is_postgresql; }
 const std::string& Database::name() const { return connection_->name; }
 
 Expected<Database> Database::open(const std::string& where, Access access, int lock_wait_seconds) {
-  auto place = understand_store(where);
+  auto place = parse_store(where);
   if (!place) {
     return tl::unexpected(place.error());
   }

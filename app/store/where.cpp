@@ -40,7 +40,7 @@ std::size_t find_scheme(const std::string& text, std::size_t from) {
 
 }  // namespace
 
-Expected<StorePlace> understand_store(const std::string& where) {
+Expected<StorePlace> parse_store(const std::string& where) {
   if (is_postgresql_url(where)) {
     return parse_postgresql_url(where).map([](const PostgresqlPlace& place) {
       return StorePlace{true, "", place.shown, place.connection};
@@ -57,7 +57,7 @@ Expected<StorePlace> understand_store(const std::string& where) {
 }
 
 std::string file_of_store(const std::string& where) {
-  const auto place = understand_store(where);
+  const auto place = parse_store(where);
   return place ? place->file : "";
 }
 

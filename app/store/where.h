@@ -15,9 +15,9 @@ struct StorePlace {
 };
 
 /// "postgresql://…" and "postgres://…" are servers; "sqlite:PATH" and anything else is a file. Refused as wrong
-/// usage: an empty name, another URL, parameters of libpq that are no URL, a path that SQLite's driver cannot be told.
-/// No message shows what may be a password.
-Expected<StorePlace> understand_store(const std::string& where);
+/// usage: an empty name, another URL, parameters of libpq that are no URL, a path that SQLite's driver cannot be
+/// determined. No message shows what may be a password.
+Expected<StorePlace> parse_store(const std::string& where);
 
 /// The file that a store is in, which nothing else may be written over; empty for a server and what is no store.
 std::string file_of_store(const std::string& where);

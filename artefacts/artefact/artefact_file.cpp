@@ -88,7 +88,7 @@ ArtefactValues read_values(TomlTable& root, const Artefact& artefact) {
 
 Artefact read_artefact(TomlTable& root, const std::filesystem::path& path, const DccCertificate* dcc) {
   Artefact artefact;
-  artefact.name = root.name_or("name", at_most(80, path.stem().string()));
+  artefact.name = root.name_or("name", truncated(80, path.stem().string()));
   artefact.type = read_type(root);
   artefact.note = root.text_or("note", "");
   artefact.material = root.name_or("material", "");

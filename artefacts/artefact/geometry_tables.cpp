@@ -12,8 +12,8 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_features = 1000;
-constexpr std::size_t most_distances = 5000;
+constexpr std::size_t max_features = 1000;
+constexpr std::size_t max_distances = 5000;
 
 bool too_many(TomlTable& root, const char* key, std::size_t count, std::size_t most) {
   if (count > most) {
@@ -51,8 +51,8 @@ void note(const Contradiction& found, std::vector<TomlTable>& features, std::vec
 void read_geometry(TomlTable& root, const ArtefactValues& values, Artefact& artefact) {
   auto features = root.tables("feature");
   auto distances = root.tables("distance");
-  if (too_many(root, "feature", features.size(), most_features) ||
-      too_many(root, "distance", distances.size(), most_distances)) {
+  if (too_many(root, "feature", features.size(), max_features) ||
+      too_many(root, "distance", distances.size(), max_distances)) {
     return;
   }
   for (auto& table : features) {
@@ -64,8 +64,8 @@ void read_geometry(TomlTable& root, const ArtefactValues& values, Artefact& arte
   }
   std::vector<std::size_t> table_of;
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (artefact.distances.size() > most_distances) {
-      root.fail("distance", fmt::format("the artefact has more than the {} distances that are read", most_distances));
+    if (artefact.distances.size() > max_distances) {
+      root.fail("distance", fmt::format("the artefact has more than the {} distances that are read", max_distances));
       return;
     }
     for (const auto& distance : read_distances(distances[i], artefact, values)) {

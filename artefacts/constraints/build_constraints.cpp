@@ -16,8 +16,8 @@
 namespace artcal {
 namespace {
 
-using Key = std::tuple<int, int, int>;   // artefact, placement, feature
-constexpr std::size_t most_known = 200;  // characters of a list in a message: a step gauge has many features
+using Key = std::tuple<int, int, int>;  // artefact, placement, feature
+constexpr std::size_t max_known = 200;  // characters of a list in a message: a step gauge has many features
 
 Location location_of(const Artefact& artefact, const CertifiedFeature& feature) {
   if (!feature.at && feature.kind != FeatureKind::Coordinates) {
@@ -35,11 +35,11 @@ Expected<int> find_artefact(const Recording& recording, int reading, const std::
     }
     known += (i == 0 ? "" : ", ") + artefacts[i].name;
   }
-  return bad_input(
-      name.empty() ? fmt::format("the reading names no artefact, and there are several: {}", at_most(most_known, known))
-                   : fmt::format("the reading names the artefact {}, expected one of: {}", in_quotes(name),
-                                 at_most(most_known, known)),
-      recording.where(reading));
+  return bad_input(name.empty() ? fmt::format("the reading names no artefact, and there are several: {}",
+                                              truncated(max_known, known))
+                                : fmt::format("the reading names the artefact {}, expected one of: {}", in_quotes(name),
+                                              truncated(max_known, known)),
+                   recording.where(reading));
 }
 
 Expected<int> find_feature(const Recording& recording, int reading, const Artefact& artefact) {
@@ -54,19 +54,19 @@ Expected<int> find_feature(const Recording& recording, int reading, const Artefa
   }
   return bad_input(name.empty()
                        ? fmt::format("the reading names no feature, expected one of the artefact {}: {}",
-                                     in_quotes(artefact.name), at_most(most_known, known))
+                                     in_quotes(artefact.name), truncated(max_known, known))
                        : fmt::format("the reading names the feature {}, which the artefact {} does not have, expected "
                                      "one of: {}",
-                                     in_quotes(name), in_quotes(artefact.name), at_most(most_known, known)),
+                                     in_quotes(name), in_quotes(artefact.name), truncated(max_known, known)),
                    recording.where(reading));
 }
 
-Demand demand_of(FeatureKind kind) {
+ConstraintKind kind_of(FeatureKind kind) {
   switch (kind) {
-    case FeatureKind::Sphere: return Demand::OnBall;
-    case FeatureKind::Plane: return Demand::OnPlane;
-    case FeatureKind::Anchor: return Demand::AtDistance;
-    default: return Demand::Coincide;
+    case FeatureKind::Sphere: return ConstraintKind::OnBall;
+    case FeatureKind::Plane: return ConstraintKind::OnPlane;
+    case FeatureKind::Anchor: return ConstraintKind::AtDistance;
+    default: return ConstraintKind::Coincide;
   }
 }
 
@@ -156,7 +156,7 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
       added.placement = placement;
       added.feature = *f;
       added.location = location_of(artefact, feature);
-      added.demand = demand_of(feature.kind);
+      added.kind = kind_of(feature.kind);
       added.u = feature.u;
       added.expansion = artefact.expansion_factor(means.at({a, placement}));
       added.normal = feature.normal.value_or(Eigen::Vector3d::Zero());

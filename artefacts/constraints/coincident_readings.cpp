@@ -13,7 +13,7 @@ namespace artcal {
 namespace {
 
 constexpr double joint_step = 1e-9;  // rad; far below any encoder's resolution and above the rounding of a conversion
-constexpr double most_by_resolution = 0.25;
+constexpr double max_by_resolution = 0.25;
 
 // What makes a measurement, a column a reading.
 Eigen::MatrixXd measured_numbers(const Recording& recording) {
@@ -71,7 +71,7 @@ void spare_resolution(const Recording& recording, const std::vector<Artefact>& a
   for (std::size_t i = 0; i < first.size() && !counts.empty(); ++i) {
     if (first[i] != static_cast<Eigen::Index>(i) && concerns(i)) {
       const auto& [all, repeated] = counts[seat_of(i)];
-      first[i] = repeated <= most_by_resolution * all ? static_cast<Eigen::Index>(i) : first[i];
+      first[i] = repeated <= max_by_resolution * all ? static_cast<Eigen::Index>(i) : first[i];
     }
   }
 }

@@ -52,8 +52,8 @@ Constraints without_features(const Constraints& constraints, const std::vector<b
 
 Constraints balls_as_points(Constraints constraints) {
   for (auto& feature : constraints.features) {
-    if (feature.demand == Demand::OnBall) {
-      feature.demand = Demand::Coincide;
+    if (feature.kind == ConstraintKind::OnBall) {
+      feature.kind = ConstraintKind::Coincide;
     }
   }
   assign_unknowns(constraints);

@@ -22,7 +22,7 @@ enum class Location {
 
 /// What is asked of the tip's centre P with respect to that point c, or a plane through it with the outward
 /// normal n. One residual a reading, mm, but for the first.
-enum class Demand {
+enum class ConstraintKind {
   Coincide,    ///< P = c: three residuals a reading
   AtDistance,  ///< |P − c| = a length that the reading brings
   OnBall,      ///< |P − c| = radius of the ball + radius of the tip
@@ -32,7 +32,7 @@ enum class Demand {
 /// A number that belongs to the artefact itself, the same in all its placements, and is not known exactly:
 /// a ball's radius, or the error of a certified coordinate. The certificate tells it with a standard
 /// uncertainty u, which enters once however often the feature is read; or, for a radius, not at all.
-struct SharedUnknown {
+struct ArtefactParameter {
   enum class Quantity { ErrorX, ErrorY, ErrorZ, Radius };
   int artefact = 0;  ///< into Constraints::artefacts
   int feature = 0;   ///< into Artefact::features
@@ -48,7 +48,7 @@ struct FeatureConstraint {
   int placement = 0;  ///< into Recording::placements
   int feature = 0;    ///< into Artefact::features
   Location location = Location::Unknown;
-  Demand demand = Demand::Coincide;
+  ConstraintKind kind = ConstraintKind::Coincide;
   int group = -1;                      ///< of the unknowns, or -1 where there are none
   int offset = 0;                      ///< of the point's three unknowns or the plane's one in the group (Unknown)
   std::vector<int> readings;           ///< into Recording::readings
@@ -65,7 +65,7 @@ struct FeatureConstraint {
 
   [[nodiscard]] int size() const { return static_cast<int>(readings.size()); }
   /// Residuals a reading.
-  [[nodiscard]] int dimension() const { return demand == Demand::Coincide ? 3 : 1; }
+  [[nodiscard]] int dimension() const { return kind == ConstraintKind::Coincide ? 3 : 1; }
 };
 
 /// The distance between two features' points or centres, or between two parallel planes, in one placement,
@@ -83,8 +83,8 @@ struct DistanceConstraint {
 /// in one placement, the pose of one plate, or one plane and those that are certified to be parallel to it.
 ///
 /// Where all that was read of a certified artefact in a placement are parallel planes (a step gauge), readings do
-/// not tell its pose, but only the direction of its axis (the first of the planes' normals) and its place along it.
-/// Its planes then share one place (FeatureConstraint::offset), from which each has its certified height.
+/// not determine its pose, but only the direction of its axis (the first of the planes' normals) and its place along
+/// it. Its planes then share one place (FeatureConstraint::offset), from which each has its certified height.
 struct UnknownGroup {
   bool has_pose = false;  ///< the first six unknowns are a pose: turning (rad), then shift (mm)
   bool has_axis = false;  ///< the first two unknowns are the tilts of the normal that its planes share
@@ -97,7 +97,7 @@ struct Constraints {
   std::vector<FeatureConstraint> features;  ///< by artefact, placement, feature in order of appearance
   std::vector<DistanceConstraint> distances;
   std::vector<UnknownGroup> groups;
-  std::vector<SharedUnknown> shared;
+  std::vector<ArtefactParameter> shared;
   std::vector<std::string> warnings;
 
   [[nodiscard]] int unknown_count() const;  ///< of groups, and shared

@@ -57,8 +57,8 @@ void find_gauges(Constraints& constraints) {
       continue;
     }
     Seen& seen = placements[place_of(feature)];
-    seen.only_planes &= feature.demand == Demand::OnPlane;
-    if (feature.demand == Demand::OnPlane && direction_of(feature, seen) == nullptr) {
+    seen.only_planes &= feature.kind == ConstraintKind::OnPlane;
+    if (feature.kind == ConstraintKind::OnPlane && direction_of(feature, seen) == nullptr) {
       seen.directions.push_back(feature.normal);
     }
   }
@@ -125,7 +125,7 @@ void assign_groups(Constraints& constraints) {
         group_of_root.try_emplace(root_of(parent, i), static_cast<int>(constraints.groups.size()));
     if (is_new) {
       const bool posed = feature.location == Location::Posed;
-      const bool tilted = !posed && feature.demand == Demand::OnPlane;
+      const bool tilted = !posed && feature.kind == ConstraintKind::OnPlane;
       constraints.groups.push_back({posed, tilted, posed ? 6 : tilted ? 2 : 0});
     }
     feature.group = entry->second;
@@ -136,7 +136,7 @@ void assign_groups(Constraints& constraints) {
         group.size = 3;
         continue;
       }
-      group.size += feature.demand == Demand::OnPlane ? 1 : 3;
+      group.size += feature.kind == ConstraintKind::OnPlane ? 1 : 3;
     }
   }
 }
@@ -146,12 +146,12 @@ bool needs_errors(const FeatureConstraint& feature, const CertifiedFeature& valu
 }
 
 bool needs_radius(const FeatureConstraint& feature, const CertifiedFeature& value) {
-  return feature.demand == Demand::OnBall && (!value.radius || value.u_radius > 0.0);
+  return feature.kind == ConstraintKind::OnBall && (!value.radius || value.u_radius > 0.0);
 }
 
 // One entry a feature of the artefact, whatever the placements; those of one feature are adjacent.
 void assign_shared(Constraints& constraints) {
-  using Quantity = SharedUnknown::Quantity;
+  using Quantity = ArtefactParameter::Quantity;
   struct Needed {
     bool errors = false, radius = false;
     int first = -1;  // into Constraints::shared

@@ -49,13 +49,13 @@ std::string name_of(const pugi::xml_node& named) {
       first = in_one_line_of_words(text_of(content));
     }
   }
-  return at_most(200, first);
+  return truncated(200, first);
 }
 
 Expected<Certificate> read_certificate(const XmlSource& source, const pugi::xml_node& administrative) {
   const pugi::xml_node core = child_of(administrative, "coreData");
   Certificate certificate;
-  certificate.number = at_most(200, in_one_line_of_words(text_of(child_of(core, "uniqueIdentifier"))));
+  certificate.number = truncated(200, in_one_line_of_words(text_of(child_of(core, "uniqueIdentifier"))));
   certificate.laboratory = name_of(child_of(child_of(administrative, "calibrationLaboratory"), "contact"));
   const pugi::xml_node end = child_of(core, "endPerformanceDate");
   certificate.date = text_of(end).substr(0, 10);  // xs:date may carry a time zone

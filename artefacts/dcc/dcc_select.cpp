@@ -10,7 +10,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_listed = 12;
+constexpr std::size_t max_listed = 12;
 
 bool holds(const std::vector<std::string>& all, std::string_view one) {
   return std::find(all.begin(), all.end(), one) != all.end();
@@ -66,20 +66,20 @@ std::vector<const DccQuantity*> candidates(const DccCertificate& certificate, st
 
 std::string list_of(const std::vector<const DccQuantity*>& quantities) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most_listed, quantities.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_listed, quantities.size()); ++i) {
     text += (i == 0 ? "" : "; ") + quantities[i]->text();
   }
-  if (quantities.size() > most_listed) {
-    text += fmt::format("; and {} more", quantities.size() - most_listed);
+  if (quantities.size() > max_listed) {
+    text += fmt::format("; and {} more", quantities.size() - max_listed);
   }
   return text;
 }
 
 std::string label_of(const DccLabels& labels) {
-  return at_most(40, !labels.names.empty()       ? labels.names.back()
-                     : !labels.id.empty()        ? labels.id
-                     : !labels.ref_types.empty() ? labels.ref_types.front()
-                                                 : "");
+  return truncated(40, !labels.names.empty()       ? labels.names.back()
+                       : !labels.id.empty()        ? labels.id
+                       : !labels.ref_types.empty() ? labels.ref_types.front()
+                                                   : "");
 }
 
 }  // namespace
@@ -93,17 +93,17 @@ std::string DccQuantity::text() const {
   }
   place += label_of(labels);
   if (!labels.id.empty()) {
-    place += fmt::format(" (id {})", at_most(40, labels.id));
+    place += fmt::format(" (id {})", truncated(40, labels.id));
   }
   if (!labels.ref_types.empty()) {
-    place += fmt::format(" [{}]", at_most(40, labels.ref_types.front()));
+    place += fmt::format(" [{}]", truncated(40, labels.ref_types.front()));
   }
   if (fault) {
-    return fmt::format("{} (not read: {})", place, at_most(80, fault->message));
+    return fmt::format("{} (not read: {})", place, truncated(80, fault->message));
   }
   const DccNumbers& first = numbers();
   return fmt::format("{} = {}{} {}", place, first.values.front(), first.values.size() > 1 ? " …" : "",
-                     at_most(40, first.units.front()));
+                     truncated(40, first.units.front()));
 }
 
 std::string list_of_quantities(const DccCertificate& certificate) {

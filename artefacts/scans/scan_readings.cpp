@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_named = 200;  // characters of a list in a message
+constexpr std::size_t max_named = 200;  // characters of a list in a message
 
 /// Adds readings on one sphere; `used` are columns of the cloud.
 class ReadingsOfScan {
@@ -74,7 +74,8 @@ struct PointsOfBall {
 std::string not_clear(const BallRegion& region, const std::string& name) {
   const auto in_band = region.points.size() + static_cast<std::size_t>(region.beside_foreign);
   return fmt::format(
-      "where the ball {} ends is not told, nor its size and form: of {} points within {:.3g} mm of it {} lie beside "
+      "where the ball {} ends is not determined, nor its size and form: of {} points within {:.3g} mm of it {} lie "
+      "beside "
       "points that are no part of it, and of the others {} are more than {:.3g} mm off; was it scanned too roughly for "
       "its size, or with another arm or probe?",
       in_quotes(name), in_band, region.band, region.beside_foreign, region.far_off, 0.5 * region.band);
@@ -109,9 +110,9 @@ std::string told_of(const RecordedScan& scan, const PointCloud& cloud, std::size
   const std::string thinning = scan.use_every > 1 ? fmt::format(" (use_every = {})", scan.use_every) : "";
   std::string text =
       fmt::format("{}: {} of {} points became readings{}: {}; the others were not used", scan.path, used,
-                  cloud.points.cols(), thinning, at_most(most_named, fmt::format("{}", fmt::join(counts, ", "))));
+                  cloud.points.cols(), thinning, truncated(max_named, fmt::format("{}", fmt::join(counts, ", "))));
   if (!missing.empty()) {
-    text += fmt::format(". Not found: {}", at_most(most_named, fmt::format("{}", fmt::join(missing, ", "))));
+    text += fmt::format(". Not found: {}", truncated(max_named, fmt::format("{}", fmt::join(missing, ", "))));
   }
   return text;
 }

@@ -36,8 +36,8 @@ struct ScanSelection {
 /// Errors, naming the scan: BadInput for a file that cannot be read, has no joint angles or those of another arm, is
 /// named twice; for an artefact, sphere or probe that is not there, or an artefact without spheres of known diameter.
 /// NoSolution where no sphere is found, none of the certified distances fit, several ways of naming them fit, or (of
-/// whole balls) where a ball ends is not told. After an error the recording may hold part of the scans and is of no
-/// use.
+/// whole balls) where a ball ends is not determined. After an error the recording may hold part of the scans and is of
+/// no use.
 Expected<void> read_scans(Recording& recording, const std::vector<Artefact>& artefacts,
                           const ScanSelection& selection = {});
 

@@ -41,7 +41,8 @@ std::string scan_refusal(const Segmentation& found, const ArtefactInScan& wanted
   switch (found.status) {
     case SegmentStatus::Ambiguous:
       return fmt::format(
-          "the certified distances fit the spheres in {}{} ways, so that which is which is not told: say where one is "
+          "the certified distances fit the spheres in {}{} ways, so that which is which is not determined: say where "
+          "one is "
           "with place = [{{ sphere = {}, at = [x, y, z] }}], or lower tolerance (now {:.3g} mm); spheres stand at {} "
           "mm in the arm's base frame",
           found.matching.there_are_more ? "more than " : "", found.matching.ways.size(), in_quotes(first),

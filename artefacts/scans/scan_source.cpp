@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tolerance_of_nominal_arm = 10.0;   // mm, of a distance
 constexpr double distortion_by_nominal_arm = 0.04;  // of the radius
-constexpr std::size_t most_named = 200;             // characters of a list in a message
+constexpr std::size_t max_named = 200;              // characters of a list in a message
 
 Expected<int> artefact_of(const RecordedScan& scan, const std::vector<Artefact>& artefacts) {
   std::vector<std::string> names;
@@ -24,7 +24,7 @@ Expected<int> artefact_of(const RecordedScan& scan, const std::vector<Artefact>&
     }
     names.push_back(artefacts[i].name);
   }
-  const auto known = at_most(most_named, fmt::format("{}", fmt::join(names, ", ")));
+  const auto known = truncated(max_named, fmt::format("{}", fmt::join(names, ", ")));
   return bad_input(scan.artefact.empty() ? fmt::format("the scan names no artefact, and there are several: {}", known)
                                          : fmt::format("the scan names the artefact {}, expected one of: {}",
                                                        in_quotes(scan.artefact), known),
@@ -42,7 +42,7 @@ Expected<int> probe_of(const RecordedScan& scan, const Arm& arm) {
   for (const Probe& probe : arm.probes) {
     names.push_back(probe.name);
   }
-  const auto known = at_most(most_named, fmt::format("{}", fmt::join(names, ", ")));
+  const auto known = truncated(max_named, fmt::format("{}", fmt::join(names, ", ")));
   return bad_input(scan.probe.empty()
                        ? fmt::format("the scan names no probe, and the arm has several: {}", known)
                        : fmt::format("the scan names the probe {}, expected one of: {}", in_quotes(scan.probe), known),

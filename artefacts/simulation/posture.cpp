@@ -12,9 +12,9 @@
 namespace artcal {
 namespace {
 
-constexpr int most_starts = 200;      // of one posture
+constexpr int max_starts = 200;       // of one posture
 constexpr int starts_for_elbow = 16;  // then the side is given up: an arm that can do both misses it once in 65,000
-constexpr int most_pushes = 5;        // off the stops, from one start
+constexpr int max_pushes = 5;         // off the stops, from one start
 
 // Turns each reading by whole turns to where it is nearest to the middle of its range; whether all are
 // then between the stops.
@@ -62,7 +62,8 @@ Elbow elbow_side(const Arm& arm, int probe, const Eigen::VectorXd& rigid_reading
   joint_sines(angles, sines);
   Eigen::Matrix3Xd axes(3, count);
   Eigen::Matrix3Xd points(3, count);
-  const Eigen::Vector3d tip = Sweep(arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
+  const Eigen::Vector3d tip =
+      ForwardKinematics(arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
   const Eigen::Vector3d left = axes.col(0).cross(tip - points.col(0)).normalized();
   double furthest = 0.0;
   for (Eigen::Index i = 1; i < count; ++i) {
@@ -83,8 +84,8 @@ Eigen::VectorXd random_readings(const VirtualArm& arm, RandomStream& random) {
 std::optional<Eigen::VectorXd> find_posture_near(const VirtualArm& arm, const PostureRequest& request,
                                                  const Eigen::VectorXd& start) {
   Eigen::VectorXd from = start;
-  for (int push = 0; push < most_pushes; ++push) {
-    const auto rigid = reach_point(arm.arm, request.probe, request.tip_in_base, from, request.arm_temperature);
+  for (int push = 0; push < max_pushes; ++push) {
+    const auto rigid = reach_with_joints(arm.arm, request.probe, request.tip_in_base, from, request.arm_temperature);
     if (!rigid) {
       return std::nullopt;
     }
@@ -108,7 +109,7 @@ std::optional<Eigen::VectorXd> find_posture(const VirtualArm& arm, const Posture
   if (is_beyond(arm.arm, request.tip_in_base)) {
     return std::nullopt;
   }
-  for (int start = 0; start < most_starts && !(other_side && start >= starts_for_elbow); ++start) {
+  for (int start = 0; start < max_starts && !(other_side && start >= starts_for_elbow); ++start) {
     const auto q = find_posture_near(arm, request, random_readings(arm, random));
     if (q && (request.elbow == Elbow::Either || elbow_side(arm.arm, request.probe, *q) == request.elbow)) {
       return q;

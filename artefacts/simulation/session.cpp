@@ -13,7 +13,7 @@
 namespace artcal {
 namespace {
 
-constexpr int most_far_postures = 1000;  // until one is at a length that the instrument measures
+constexpr int max_far_postures = 1000;  // until one is at a length that the instrument measures
 
 /// What chance does to one reading. Drawn before all else, so that the posture does not change it.
 struct Chance {
@@ -68,9 +68,10 @@ const Artefact& certified(const Scene& scene) {
 /// One feature as it stands in the base frame during a reading, mm.
 RealFeature in_base(const Scene& scene, int feature, double temperature) {
   const RealFeature& real = scene.artefact.features[feature];
-  const double growth = 1.0 + scene.artefact.expansion * (temperature - certified(scene).reference_temperature);
-  return {scene.base_from_artefact * Eigen::Vector3d(growth * real.at), scene.base_from_artefact.rotation * real.normal,
-          growth * real.radius};
+  const double expansion_factor =
+      1.0 + scene.artefact.expansion * (temperature - certified(scene).reference_temperature);
+  return {scene.base_from_artefact * Eigen::Vector3d(expansion_factor * real.at),
+          scene.base_from_artefact.rotation * real.normal, expansion_factor * real.radius};
 }
 
 // Where the tip's centre belongs on something that is touched.
@@ -153,16 +154,16 @@ std::optional<Taken> measure_afar(const Scene& scene, const Job& job, int index,
   const CertifiedFeature& feature = certified(scene).features[job.feature];
   const RealFeature there = in_base(scene, job.feature, temperature_at(scene, index, count));
   const double instrument = scene.plan.noise.instrument.value_or(feature.u);
-  const Sweep sweep(scene.arm.arm, {}, probing.probe);
+  const ForwardKinematics kinematics(scene.arm.arm, {}, probing.probe);
   std::vector<double> sines(2 * scene.arm.joints.size());
-  for (int attempt = 0; attempt < most_far_postures; ++attempt) {
+  for (int attempt = 0; attempt < max_far_postures; ++attempt) {
     const Eigen::VectorXd rigid = random_readings(scene.arm, chance.random);
     Taken taken;
     taken.joints = readings_of(scene.arm, probing.probe, rigid) + chance.encoders;
     const std::span<const double> angles(rigid.data(), static_cast<std::size_t>(rigid.size()));
     joint_sines(angles, sines);
     const Eigen::Vector3d seen =
-        sweep.tip_in_base({sines, angles, arm_temperature_at(scene, index, count)}) - chance.probing;
+        kinematics.tip_in_base({sines, angles, arm_temperature_at(scene, index, count)}) - chance.probing;
     const double length = (seen - there.at).norm();
     if (!keeps_to_stops(scene.arm, taken.joints)) {
       continue;

@@ -18,8 +18,8 @@
 namespace artcal {
 namespace {
 
-constexpr int most_draws = 300;           // of a placement
-constexpr int most_held_draws = 100'000;  // of them, those that the stand does not hold among them: these cost nothing
+constexpr int max_draws = 300;           // of a placement
+constexpr int max_held_draws = 100'000;  // of them, those that the stand does not hold among them: these cost nothing
 
 /// The readings of a placement, or the first that cannot be taken.
 struct Outcome {
@@ -74,7 +74,7 @@ Rigid drawn_pose(const Scene& scene, RandomStream& random) {
   std::vector<double> sines(2 * scene.arm.joints.size());
   const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
   joint_sines(angles, sines);
-  const Eigen::Vector3d middle_in_base = Sweep(scene.arm.arm, {}, 0).tip_in_base({sines, angles});
+  const Eigen::Vector3d middle_in_base = ForwardKinematics(scene.arm.arm, {}, 0).tip_in_base({sines, angles});
   Rigid pose;
   const double about_z = random.uniform(-std::numbers::pi, std::numbers::pi);
   pose.rotation = scene.plan.placements[scene.placement].upright
@@ -104,7 +104,7 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
   const PlannedPlacement& placement = scene.plan.placements[scene.placement];
   RandomStream random(scene.plan.seed, "placement", static_cast<std::uint64_t>(scene.placement));
   int held = 0;
-  for (int draw = 0; draw < most_held_draws && held < most_draws; ++draw) {
+  for (int draw = 0; draw < max_held_draws && held < max_draws; ++draw) {
     scene.base_from_artefact = drawn_pose(scene, random);
     if (!not_held(scene).empty()) {
       continue;
@@ -121,7 +121,7 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
   if (held == 0) {
     return bad_input(fmt::format("the placement {}: none of {} places drawn in the arm's reach keeps to the limits of "
                                  "the stand (heights, floor, tables); the last: {}",
-                                 in_quotes(placement.name), most_held_draws, not_held(scene)),
+                                 in_quotes(placement.name), max_held_draws, not_held(scene)),
                      placement.where);
   }
   return bad_input(fmt::format("the placement {}: no place was found in {} draws where the arm reaches all {} points; "

@@ -25,7 +25,7 @@ Eigen::VectorXd gravity_torques(const VirtualArm& arm, int probe, const Eigen::V
   joint_sines(angles, sines);
   Eigen::Matrix3Xd axes(3, count);
   Eigen::Matrix3Xd points(3, count + 1);
-  points.col(count) = Sweep(arm.arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
+  points.col(count) = ForwardKinematics(arm.arm, {}, probe).axes_in_base({sines, angles}, axes.data(), points.data());
   Eigen::VectorXd torques(count);
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   // weight of all further out, N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // of it about the origin of the base, N·mm

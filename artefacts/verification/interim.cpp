@@ -106,7 +106,7 @@ bool InterimCheck::any_significant() const {
   return std::any_of(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.significant; });
 }
 
-bool InterimCheck::any_told() const {
+bool InterimCheck::any_judged() const {
   return std::any_of(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.degrees_of_freedom > 0; });
 }
 

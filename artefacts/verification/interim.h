@@ -29,7 +29,7 @@ struct InterimCheck {
   std::vector<std::string> not_compared;  ///< values now that the earlier verification does not have
 
   [[nodiscard]] bool any_significant() const;
-  [[nodiscard]] bool any_told() const;  ///< whether repeats say of at least one drift if it is significant
+  [[nodiscard]] bool any_judged() const;  ///< whether repeats say of at least one drift if it is significant
 };
 
 /// Compares values of the same quantity, artefact, placement and features:

@@ -14,7 +14,7 @@ namespace {
 
 // Readings farther off a ball than this share of its radius are not on it.
 constexpr double no_ball = 0.5;
-constexpr Eigen::Index fewest_points = 4;
+constexpr Eigen::Index min_points = 4;
 
 Eigen::Matrix3Xd centres_of(const Session& session, const std::vector<int>& readings) {
   Eigen::Matrix3Xd centres(3, static_cast<Eigen::Index>(readings.size()));
@@ -81,11 +81,11 @@ Expected<MeasuredPoint> measure_ball(const Session& session, const Touched& touc
                                                                  across, 2.0 * *feature.radius));
     }
   }
-  if (centres.cols() < fewest_points) {
+  if (centres.cols() < min_points) {
     return no_solution(
         fmt::format("{}: {} readings on a ball, which takes at least {}; the column repeat counts "
                     "repetitions of the test, not its points",
-                    text_of(touched, session), centres.cols(), fewest_points));
+                    text_of(touched, session), centres.cols(), min_points));
   }
   FitOptions options;
   options.tip_radius = *radius;

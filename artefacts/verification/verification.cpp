@@ -62,10 +62,10 @@ const char* text_of(Conclusion conclusion) {
 
 std::string label_of(const TestValue& value) {
   std::string text = name_of(value.quantity);
-  text += value.second.empty() ? fmt::format(" {}", at_most(40, value.first))
-                               : fmt::format(" {} - {}", at_most(40, value.first), at_most(40, value.second));
-  text += value.placement.empty() ? "" : fmt::format(", placement {}", at_most(40, value.placement));
-  return text + (value.repeat.empty() ? "" : fmt::format(", repeat {}", at_most(40, value.repeat)));
+  text += value.second.empty() ? fmt::format(" {}", truncated(40, value.first))
+                               : fmt::format(" {} - {}", truncated(40, value.first), truncated(40, value.second));
+  text += value.placement.empty() ? "" : fmt::format(", placement {}", truncated(40, value.placement));
+  return text + (value.repeat.empty() ? "" : fmt::format(", repeat {}", truncated(40, value.repeat)));
 }
 
 }  // namespace artcal

@@ -24,12 +24,12 @@ Eigen::Vector3d tip_at(const Arm& arm, int probe, const Eigen::VectorXd& q) {
   std::vector<double> sines(2 * static_cast<std::size_t>(q.size()));
   const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
   joint_sines(angles, sines);
-  return Sweep(arm, {}, probe).tip_in_base({sines, angles});
+  return ForwardKinematics(arm, {}, probe).tip_in_base({sines, angles});
 }
 
-std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
-                                           Eigen::VectorXd start, double arm_temperature) {
-  const Sweep sweep(arm, {}, probe);
+std::optional<Eigen::VectorXd> reach_with_joints(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                                 Eigen::VectorXd start, double arm_temperature) {
+  const ForwardKinematics kinematics(arm, {}, probe);
   const double length = reach(arm);
   std::vector<double> sines(2 * arm.joints.size());
   Eigen::Matrix3Xd by_joints(3, start.size());
@@ -38,7 +38,7 @@ std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eige
     const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
     joint_sines(angles, sines);
     const Eigen::Vector3d miss =
-        target_in_base - sweep.tip_by_joints({sines, angles, arm_temperature}, by_joints.data());
+        target_in_base - kinematics.tip_by_joints({sines, angles, arm_temperature}, by_joints.data());
     if (miss.norm() <= 1e-13 * length) {
       return q;
     }
@@ -52,10 +52,10 @@ std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eige
   return std::nullopt;
 }
 
-std::optional<Eigen::VectorXd> posture_at(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
-                                          RandomStream& random, int starts) {
+std::optional<Eigen::VectorXd> inverse_kinematics(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
+                                                  RandomStream& random, int starts) {
   for (int start = 0; start < starts; ++start) {
-    if (auto q = reach_point(arm, probe, place_in_base, random_posture(arm, random))) {
+    if (auto q = reach_with_joints(arm, probe, place_in_base, random_posture(arm, random))) {
       return q;
     }
   }

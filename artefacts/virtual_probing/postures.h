@@ -18,13 +18,13 @@ Eigen::Vector3d tip_at(const Arm& arm, int probe, const Eigen::VectorXd& q);
 
 /// Joint angles (rad) that put the tip at a point of the base frame, found from `start` by damped
 /// Gauss-Newton; the redundancy of the arm keeps the posture near the start. Nothing if the point cannot
-/// be reached from there. The tip is within 1e-13 of the reach. `arm_temperature` as in JointSines.
-std::optional<Eigen::VectorXd> reach_point(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
-                                           Eigen::VectorXd start,
-                                           double arm_temperature = std::numeric_limits<double>::quiet_NaN());
+/// be reached from there. The tip is within 1e-13 of the reach. `arm_temperature` as in JointReading.
+std::optional<Eigen::VectorXd> reach_with_joints(const Arm& arm, int probe, const Eigen::Vector3d& target_in_base,
+                                                 Eigen::VectorXd start,
+                                                 double arm_temperature = std::numeric_limits<double>::quiet_NaN());
 
 /// The same from random postures; nothing where as many `starts` lead nowhere.
-std::optional<Eigen::VectorXd> posture_at(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
-                                          RandomStream& random, int starts = 20);
+std::optional<Eigen::VectorXd> inverse_kinematics(const Arm& arm, int probe, const Eigen::Vector3d& place_in_base,
+                                                  RandomStream& random, int starts = 20);
 
 }  // namespace artcal

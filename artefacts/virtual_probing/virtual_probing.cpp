@@ -15,8 +15,8 @@ namespace artcal {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int most_misses = 200;  // in a row; then the arm cannot do what is asked
-constexpr int starts = 50;        // of a posture; then a point counts as out of reach
+constexpr int max_misses = 200;  // in a row; then the arm cannot do what is asked
+constexpr int starts = 50;       // of a posture; then a point counts as out of reach
 
 CertifiedFeature feature_called(std::string name, FeatureKind kind) {
   CertifiedFeature feature;
@@ -86,9 +86,10 @@ VirtualRecording probe_distances(const Arm& arm, const VirtualProbing& options, 
   Recorder recorder(arm, artefact.name);
   int pairs = 0;
   int misses = 0;
-  while (pairs < options.readings / 2 && misses < most_misses) {
+  while (pairs < options.readings / 2 && misses < max_misses) {
     const Eigen::VectorXd first = random_posture(arm, random);
-    if (const auto second = posture_at(arm, 0, tip_at(arm, 0, first) + length * random.direction(), random, starts)) {
+    if (const auto second =
+            inverse_kinematics(arm, 0, tip_at(arm, 0, first) + length * random.direction(), random, starts)) {
       const std::string placement = fmt::format("{}", ++pairs);
       recorder.add(first, placement, "1", no_reference, nan);
       recorder.add(*second, placement, "2", no_reference, nan);
@@ -147,7 +148,7 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
   artefact.name = "features";
   Recorder recorder(arm, artefact.name);
   int misses = 0;
-  for (int f = 0; f < options.features && misses < most_misses; ++f) {
+  for (int f = 0; f < options.features && misses < max_misses; ++f) {
     const std::string name = fmt::format("{}", f + 1);
     artefact.features.push_back(feature_called(name, kind));
     if (options.kind == ReadingKind::Sphere) {
@@ -159,9 +160,9 @@ VirtualRecording probe_features(const Arm& arm, const VirtualProbing& options, R
       place.normal = random.direction();
     }
     const int count = options.readings / options.features + (f < options.readings % options.features ? 1 : 0);
-    for (int i = 0; i < count && misses < most_misses;) {
+    for (int i = 0; i < count && misses < max_misses;) {
       const Eigen::Vector3d target = place.target(arm, random);
-      if (const auto q = posture_at(arm, 0, target, random, starts)) {
+      if (const auto q = inverse_kinematics(arm, 0, target, random, starts)) {
         recorder.add(*q, "1", name, no_reference, kind == FeatureKind::Anchor ? (target - place.centre).norm() : nan);
         ++i;
         misses = 0;
@@ -187,9 +188,9 @@ VirtualRecording probe_plate(const Arm& arm, const VirtualProbing& options, Rand
   for (int p = 0; p < options.features; ++p) {
     const Rigid base_from_plate{random.rotation(), 0.6 * tip_at(arm, 0, random_posture(arm, random))};
     const int count = options.readings / options.features + (p < options.readings % options.features ? 1 : 0);
-    for (int i = 0, point = 0; i < count && misses < most_misses; ++point) {
+    for (int i = 0, point = 0; i < count && misses < max_misses; ++point) {
       const CertifiedFeature& feature = artefact.features[point % 9];
-      if (const auto q = posture_at(arm, 0, base_from_plate * *feature.at, random, starts)) {
+      if (const auto q = inverse_kinematics(arm, 0, base_from_plate * *feature.at, random, starts)) {
         recorder.add(*q, fmt::format("{}", p + 1), feature.name, no_reference, nan);
         ++i;
         misses = 0;

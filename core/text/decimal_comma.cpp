@@ -35,7 +35,7 @@ std::string decimal_comma_question(std::string_view text) {
   std::string with_point(number);
   with_point[comma] = '.';
   return fmt::format("; is the comma a decimal comma? Write {} with a point: {}", in_quotes(number),
-                     at_most(40, with_point));
+                     truncated(40, with_point));
 }
 
 std::string decimal_comma_question_of_line(std::string_view line) {

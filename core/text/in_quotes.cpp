@@ -29,7 +29,7 @@ ControlCharacter control_at(std::string_view text, std::size_t offset) {
 
 }  // namespace
 
-std::string at_most(std::size_t characters, std::string_view text) {
+std::string truncated(std::size_t characters, std::string_view text) {
   std::string shown;
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -55,7 +55,7 @@ std::optional<ControlCharacter> find_control(std::string_view utf8) {
   return std::nullopt;
 }
 
-std::string in_quotes(std::string_view found) { return '"' + at_most(40, found) + '"'; }
+std::string in_quotes(std::string_view found) { return '"' + truncated(40, found) + '"'; }
 
 std::size_t character_count(std::string_view utf8) {
   return static_cast<std::size_t>(std::count_if(utf8.begin(), utf8.end(), starts_character));

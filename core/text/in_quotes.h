@@ -20,7 +20,7 @@ std::optional<ControlCharacter> find_control(std::string_view utf8);
 
 /// The first `characters` of UTF-8 text, and "…" where there is more; control characters as '?'. What
 /// stands in a file may be long, or hostile to a terminal.
-std::string at_most(std::size_t characters, std::string_view text);
+std::string truncated(std::size_t characters, std::string_view text);
 
 /// What a message shows of something found in a file: in quotes, at most 40 characters of it.
 std::string in_quotes(std::string_view found);

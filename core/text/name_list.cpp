@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_listed = 12;
+constexpr std::size_t max_listed = 12;
 constexpr std::size_t farthest = 2;
 constexpr std::size_t longest = 80;  // of names that are compared
 
@@ -33,12 +33,12 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 std::string listed_names(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(most_listed, names.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_listed, names.size()); ++i) {
     text += (i > 0 ? ", " : "") + in_quotes(names[i]);
   }
-  return names.empty()                 ? "none"
-         : names.size() <= most_listed ? text
-                                       : fmt::format("{} and {} more", text, names.size() - most_listed);
+  return names.empty()                ? "none"
+         : names.size() <= max_listed ? text
+                                      : fmt::format("{} and {} more", text, names.size() - max_listed);
 }
 
 std::string nearest_name(std::string_view misspelt, const std::vector<std::string>& names) {

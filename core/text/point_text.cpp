@@ -8,8 +8,8 @@
 namespace artcal {
 
 std::string decimals_text(double value, double resolution) {
-  constexpr double most_decimals = 12.0;
-  const double decimals = std::clamp(std::ceil(-std::log10(resolution) - 1e-9), 0.0, most_decimals);
+  constexpr double max_decimals = 12.0;
+  const double decimals = std::clamp(std::ceil(-std::log10(resolution) - 1e-9), 0.0, max_decimals);
   const std::string text = fmt::format("{:.{}f}", value, static_cast<int>(decimals));
   return text.find_first_of("123456789") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
 }

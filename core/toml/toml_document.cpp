@@ -73,7 +73,7 @@ Expected<toml::table> guarded_parse(const TextFile& file, std::string_view schem
     return toml::parse(file.text, path);
   } catch (const toml::parse_error& error) {
     return bad_input(says_artcal(file.text)
-                         ? fmt::format("this is not valid TOML: {}{}", at_most(200, error.description()),
+                         ? fmt::format("this is not valid TOML: {}{}", truncated(200, error.description()),
                                        decimal_comma_question_of_line(line_at(file.text, error.source().begin.line)))
                          : fmt::format("this is {}, expected a file that begins with schema = \"{}\"",
                                        kind_of_text(file.text), schema),
@@ -145,7 +145,7 @@ UnreadKey first_unread(const toml::table& table, const std::set<const toml::node
 
 // "[[placements]]" or "[errors]" as it stands in the file; empty of what is no table.
 std::string heading_of(const UnreadKey& unread) {
-  const std::string name = at_most(40, unread.key->str());
+  const std::string name = truncated(40, unread.key->str());
   return unread.node->is_array_of_tables() ? "[[" + name + "]]" : unread.node->is_table() ? "[" + name + "]" : "";
 }
 

@@ -139,24 +139,24 @@ Deepest<Tapered> deepest(const Cloud& cloud, const std::vector<RoundState>& star
 
 std::string too_small(std::string_view feature, const Cloud& cloud, double radius, double doubt) {
   return fmt::format(
-      "the points do not tell a {}: on so small a patch its radius {:.4g} mm comes out with a standard "
+      "the points do not determine a {}: on so small a patch its radius {:.4g} mm comes out with a standard "
       "uncertainty of {:.2g} mm; probe more of it",
       feature, radius * cloud.scale, doubt * cloud.scale);
 }
 
 std::string several(std::string_view feature) {
   return fmt::format(
-      "the points do not tell a {}: several different ones hold them equally well; probe more points, at several "
+      "the points do not determine a {}: several different ones hold them equally well; probe more points, at several "
       "heights and around it",
       feature);
 }
 
 std::string undetermined(std::string_view feature, const Cloud& cloud, double noise, double radius) {
   return scatter_hides(feature, cloud, noise, radius)
-      .value_or(
-          fmt::format("the points do not tell a {}: they lie on one circle or on few straight lines{}, which leave its "
-                      "axis free; probe at several heights and around it",
-                      feature, as_noise_shows(cloud, noise)));
+      .value_or(fmt::format(
+          "the points do not determine a {}: they lie on one circle or on few straight lines{}, which leave its "
+          "axis free; probe at several heights and around it",
+          feature, as_noise_shows(cloud, noise)));
 }
 
 }  // namespace
@@ -203,7 +203,7 @@ Expected<Estimate<Cone>> least_squares_cone(const Cloud& cloud, const FitOptions
   const double angle_doubt = noise * std::sqrt((*unit)(7, 7));
   if (!(angle_doubt < 0.5 * angle)) {
     return no_solution(
-        fmt::format("the points do not tell a cone: its half angle {:.3g} rad is not known from zero "
+        fmt::format("the points do not determine a cone: its half angle {:.3g} rad is not known from zero "
                     "(standard uncertainty {:.2g} rad); is it a cylinder?",
                     angle, angle_doubt));
   }

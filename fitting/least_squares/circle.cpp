@@ -39,7 +39,7 @@ Expected<void> judge(const Cloud& cloud, const Estimate<Circle>& estimate,
   const double radius = estimate.feature.radius;
   if (!unit || !(doubt < 0.5 * radius)) {
     return no_solution(
-        fmt::format("the points do not tell a circle: on so short an arc they may as well lie on one "
+        fmt::format("the points do not determine a circle: on so short an arc they may as well lie on one "
                     "line (radius {:.4g} ± {:.2g} mm); probe more of it",
                     radius * cloud.scale, doubt * cloud.scale));
   }

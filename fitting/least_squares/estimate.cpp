@@ -10,7 +10,7 @@ std::optional<std::string> scatter_hides(std::string_view feature, const Cloud& 
     return std::nullopt;
   }
   return fmt::format(
-      "the points do not tell a {}: they scatter by {:.3g} mm about the best one, of radius {:.4g} mm; are there "
+      "the points do not determine a {}: they scatter by {:.3g} mm about the best one, of radius {:.4g} mm; are there "
       "outliers among them, which a robust fit lists, or points of something else?",
       feature, noise * cloud.scale, std::abs(radius) * cloud.scale);
 }

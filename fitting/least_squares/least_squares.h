@@ -60,7 +60,7 @@ template <typename Model>
 struct Move {
   Eigen::Matrix<double, Model::size, 1> step;
   double length;
-  bool settled;
+  bool converged;
 };
 
 template <typename Model>
@@ -95,28 +95,28 @@ Solution<typename Model::State, Model::size> minimise(const Model& model, typena
   Solution<typename Model::State, Model::size> solution{state, at.triangle, at.cost};
   double damping = 1e-4;
   std::optional<double> last;  // the step before, once settled
-  constexpr int most_trusted = 150;
+  constexpr int max_trusted = 150;
   int trusted = 0;  // settled steps
   while (solution.status != FitStatus::Converged && solution.steps < max_steps) {
     ++solution.steps;
     column = column.cwiseMax(at.triangle.colwise().norm().transpose());
-    const auto move = next_move(model, state, at, column, damping, trusted < most_trusted);
+    const auto move = next_move(model, state, at, column, damping, trusted < max_trusted);
     const double ratio = last ? std::min(move.length / *last, 1.0) : 0.9;
     const bool arrived = move.length * ratio < enough * std::max(1.0 - ratio, 0.1);
     const bool noise = move.length < rounding && ratio > 0.98;
     const bool growing = ratio == 1.0 && !noise;
     const auto next_state = model.moved(state, move.step);
     const auto next = linearise(model, next_state);
-    if (move.settled && (arrived || noise)) {
+    if (move.converged && (arrived || noise)) {
       solution.status = FitStatus::Converged;
     }
-    trusted += move.settled ? 1 : 0;
-    const bool no_worse = next.cost < at.cost || (next.cost == at.cost && trusted < most_trusted);
-    if (no_worse || (move.settled && !growing && std::isfinite(next.cost))) {
+    trusted += move.converged ? 1 : 0;
+    const bool no_worse = next.cost < at.cost || (next.cost == at.cost && trusted < max_trusted);
+    if (no_worse || (move.converged && !growing && std::isfinite(next.cost))) {
       state = next_state;
       at = next;
       damping *= 0.1;
-      last = move.settled ? std::optional(move.length) : std::nullopt;
+      last = move.converged ? std::optional(move.length) : std::nullopt;
       continue;
     }
     damping = std::max(damping * 8.0, 1e-6);

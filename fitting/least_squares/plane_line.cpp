@@ -10,7 +10,7 @@ Eigen::Matrix3d spread_covariance(const Cloud& cloud, int first, int second, dou
   return a * a.transpose() + b * b.transpose();
 }
 
-// A direction with a standard uncertainty above this (rad) is not told.
+// A direction with a standard uncertainty above this (rad) is not determined.
 constexpr double doubtful = 0.3;
 
 }  // namespace
@@ -24,7 +24,7 @@ Expected<Estimate<Plane>> least_squares_plane(const Cloud& cloud, const FitOptio
   const bool as_thick_as_wide = cloud.spread(2) > 0.3 * cloud.spread(1);
   if (as_thick_as_wide || noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(1)) {
     return no_solution(
-        "the points do not tell a plane: they lie on one line, as far as their scatter shows; "
+        "the points do not determine a plane: they lie on one line, as far as their scatter shows; "
         "probe points beside it");
   }
   if (estimate.noise) {
@@ -45,7 +45,7 @@ Expected<Estimate<Line>> least_squares_line(const Cloud& cloud, const FitOptions
   const bool as_wide_as_long = cloud.spread(1) > 0.5 * cloud.spread(0);
   if (as_wide_as_long || noise_or_rounding(cloud, estimate.noise) > doubtful * cloud.spread(0)) {
     return no_solution(
-        "the points do not tell a line: they scatter as far across it as along it; "
+        "the points do not determine a line: they scatter as far across it as along it; "
         "probe points further apart");
   }
   if (estimate.noise) {

@@ -70,7 +70,7 @@ Expected<Estimate<Sphere>> judged(const Cloud& cloud, const Estimate<Sphere>& es
   // Two standard deviations wider than the value itself: any radius from here to infinity would do.
   if (unit && !(doubt < 0.5 * radius)) {
     return no_solution(
-        fmt::format("the points cover too small a patch to tell the sphere: radius {:.4g} mm comes out "
+        fmt::format("the points cover too small a patch to determine the sphere: radius {:.4g} mm comes out "
                     "with a standard uncertainty of {:.2g} mm; probe more of it or give the radius",
                     radius * cloud.scale, doubt * cloud.scale));
   }
@@ -85,7 +85,7 @@ Expected<Estimate<Sphere>> free_sphere(const Cloud& cloud, const FitOptions& opt
   if (!unit || on_one_circle(cloud, estimate.feature, noise)) {
     return no_solution(
         scatter_hides("sphere", cloud, noise, estimate.feature.radius)
-            .value_or(fmt::format("the points do not tell a sphere: they lie on one circle in one plane{}, "
+            .value_or(fmt::format("the points do not determine a sphere: they lie on one circle in one plane{}, "
                                   "which many spheres hold; probe points out of that plane",
                                   as_noise_shows(cloud, noise))));
   }
@@ -113,7 +113,8 @@ Expected<Estimate<Sphere>> sphere_of_radius(const Cloud& cloud, const FitOptions
   }
   const auto [estimate, unit] = estimate_of(model, best, static_cast<int>(cloud.size()), options, sphere_of);
   if (!unit) {
-    return no_solution("the points do not tell where the sphere is: they lie on its largest circle or on few points");
+    return no_solution(
+        "the points do not determine where the sphere is: they lie on its largest circle or on few points");
   }
   return judged(cloud, estimate, unit);
 }

@@ -31,8 +31,8 @@ int dimensions(const FitOptions& options) {
 
 template <typename F>
 int determined_numbers(const FitOptions& options) {
-  return std::is_same_v<F, Line> || std::is_same_v<F, Circle> ? dimensions<F>(options) * Known<F>::demand.points
-                                                              : demand_for<F>(options).points;
+  return std::is_same_v<F, Line> || std::is_same_v<F, Circle> ? dimensions<F>(options) * Known<F>::requirement.points
+                                                              : requirement_for<F>(options).points;
 }
 
 // With that many degrees of freedom the noise is known well enough to judge all points at once.
@@ -263,7 +263,7 @@ Expected<void> check_count(const Distinct& distinct, const FitOptions& options) 
   return bad_input(fmt::format(
       "outliers among the points of a {} can be found from {} different points on, here are {}: fit all of them "
       "without looking for outliers, or take more",
-      Known<F>::demand.feature, needed, distinct.points.cols()));
+      Known<F>::requirement.feature, needed, distinct.points.cols()));
 }
 
 }  // namespace
@@ -281,7 +281,7 @@ Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& opt
   if (auto enough = check_count<F>(distinct, options); !enough) {
     return tl::unexpected(enough.error());
   }
-  const int through = demand_for<F>(options).points;
+  const int through = requirement_for<F>(options).points;
   const Eigen::Index sound = sound_points(distinct.points.cols(), through, robust.share);
   const auto start = best_subset<F>(distinct.points, bare(options), sound, robust.seed);
   if (!start) {

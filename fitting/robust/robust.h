@@ -8,8 +8,8 @@
 namespace artcal {
 
 struct RobustOptions {
-  /// A sound point is lost as rarely as a normal variable is beyond this many standard deviations. Where few points
-  /// tell the noise the limit itself is wider (Student).
+  /// A sound point is lost as rarely as a normal variable is beyond this many standard deviations. Where few
+  /// points tell the noise the limit itself is wider (Student).
   double limit = 4.0;
   /// Largest share of the points that may be outliers; in (0, 0.5].
   double share = 0.5;

@@ -18,7 +18,7 @@ constexpr double moves_weights = 1e-2;
 constexpr int max_steps = 12;
 // A step is to be shorter than this share of the one before it.
 constexpr double converges = 0.5;
-// σ/σ1 below which only the analysis of a whole identification can tell a weak direction from a lost one: half the
+// σ/σ1 below which only the analysis of a whole identification can determine a weak direction from a lost one: half the
 // digits are gone with the normal matrix.
 constexpr double surely_determined = 1e-5;
 
@@ -48,12 +48,12 @@ Expected<PlacementRefit> PlacementRefit::of(const System& system, const ArmFit& 
                                  [&](const FeatureConstraint& feature) { return needs_moving(feature, constraints); });
   if (moves) {
     System moved = system;
-    auto unknowns = settle(system, fit.arm, recording);
+    auto unknowns = estimate_nuisance_parameters(system, fit.arm, recording);
     if (!unknowns) {
       return tl::unexpected(unknowns.error());
     }
     satisfy_distances(constraints, *unknowns);
-    make_consistent(moved, recording, fit.arm, *unknowns);
+    project_onto_constraints(moved, recording, fit.arm, *unknowns);
     refit.consistent_ = std::make_shared<const Trees>(
         placed_linearisation(moved, refit.weights_, refit.blocks_, refit.places_, fit.arm, *unknowns));
   } else {

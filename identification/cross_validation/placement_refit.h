@@ -16,7 +16,7 @@ namespace artcal {
 class PlacementRefit {
  public:
   /// `system` is make_system() at the arm of the fit; all arguments are referred to. `noise` as given, or as the fit
-  /// found it. No solution: see settle().
+  /// found it. No solution: see estimate_nuisance_parameters().
   static Expected<PlacementRefit> of(const System& system, const ArmFit& fit, const Recording& recording,
                                      const Noise& noise);
 
@@ -48,7 +48,7 @@ class PlacementRefit {
   Weights weights_;
   std::vector<Block> blocks_;
   std::vector<std::optional<Placement>> places_;
-  NumberLayout layout_;
+  StateLayout layout_;
   Eigen::VectorXd start_;     // numbers of the fit
   Eigen::VectorXd gradient_;  // there
   std::shared_ptr<const Trees> at_fit_;

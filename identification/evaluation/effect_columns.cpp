@@ -37,7 +37,7 @@ EffectColumns::EffectColumns(const System& system, const Recording& recording)
     add(Effect::Gravity, joint, joints - joint);
     add(Effect::Drift, joint, 1);
     if (temperature_varies_) {
-      add(Effect::Warmth, joint, 1);
+      add(Effect::TemperatureOffset, joint, 1);
     }
   }
   if (temperature_varies_) {
@@ -45,26 +45,27 @@ EffectColumns::EffectColumns(const System& system, const Recording& recording)
   }
 }
 
-void EffectColumns::at(int reading, const Sweep& sweep, Eigen::Ref<Eigen::Matrix3Xd> tips,
-                       Eigen::Ref<Eigen::VectorXd> turnings) const {
-  const int joints = sweep.joint_count();
+void EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
+                       Eigen::Ref<Eigen::VectorXd> rotations) const {
+  const int joints = kinematics.joint_count();
   Eigen::Matrix3Xd by_joint(3, joints);
   Eigen::Matrix3Xd axes(3, joints);
   Eigen::Matrix3Xd points(3, joints);
-  const Eigen::Vector3d tip = sweep.tip_by_joints(system_.sines_of(reading), by_joint.data());
-  sweep.axes_in_base(system_.sines_of(reading), axes.data(), points.data());
+  const Eigen::Vector3d tip = kinematics.tip_by_joints(system_.sines_of(reading), by_joint.data());
+  kinematics.axes_in_base(system_.sines_of(reading), axes.data(), points.data());
   const Eigen::Vector3d down = system_.start.gravity_in_base.normalized();
   const double place = 2.0 * reading / std::max(1.0, static_cast<double>(recording_.readings.size()) - 1.0) - 1.0;
-  const double warmth = temperature_varies_ ? recording_.readings[reading].temperature - mean_temperature_ : 0.0;
+  const double temperature_offset =
+      temperature_varies_ ? recording_.readings[reading].temperature - mean_temperature_ : 0.0;
   for (const EffectFamily& family : families_) {
     const double q = recording_.joints(family.joint, reading);
-    auto out = turnings.segment(family.first, family.columns);
+    auto out = rotations.segment(family.first, family.columns);
     switch (family.effect) {
       case Effect::OncePerTurn: out << std::sin(q), std::cos(q); break;
       case Effect::TwicePerTurn: out << std::sin(2.0 * q), std::cos(2.0 * q); break;
       case Effect::Gain: out << q; break;
       case Effect::Drift: out << place; break;
-      case Effect::Warmth: out << warmth; break;
+      case Effect::TemperatureOffset: out << temperature_offset; break;
       case Effect::Gravity:
         // The weight of each link further out, in the middle between its axis and the next, by its lever in m.
         for (int link = family.joint; link < joints; ++link) {
@@ -75,7 +76,7 @@ void EffectColumns::at(int reading, const Sweep& sweep, Eigen::Ref<Eigen::Matrix
         }
         break;
       case Effect::Expansion:
-        tips.col(family.first) = warmth * tip;
+        tips.col(family.first) = temperature_offset * tip;
         out.setZero();
         continue;
     }

@@ -28,8 +28,8 @@ class EffectColumns {
 
   /// Motion of the tip by a unit of each column's coefficient, 3 × size(), mm; and the change of the joint's reading
   /// behind each column (0 for Expansion).
-  void at(int reading, const Sweep& sweep, Eigen::Ref<Eigen::Matrix3Xd> tips,
-          Eigen::Ref<Eigen::VectorXd> turnings) const;
+  void at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
+          Eigen::Ref<Eigen::VectorXd> rotations) const;
 
  private:
   const System& system_;

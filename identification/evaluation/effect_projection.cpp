@@ -28,14 +28,14 @@ class Projection {
       : system_(system),
         fit_(fit),
         effects_(effects),
-        sweeps_(sweeps_of(system, fit.arm)),
-        every_(1 + system.constraints->reading_residual_count() / 3 / most_searched_readings),
+        kinematics_by_probe_(forward_kinematics_of(system, fit.arm)),
+        every_(1 + system.constraints->reading_residual_count() / 3 / max_searched_readings),
         squares_(Eigen::VectorXd::Zero(effects.size())) {
     Eigen::Index readings = 0;
     for (const FeatureConstraint& feature : system.constraints->features) {
       readings += looked_at(feature);
     }
-    searched_.turnings.resize(effects.size(), readings);
+    searched_.rotations.resize(effects.size(), readings);
     searched_.tips.resize(3 * effects.size(), readings);
   }
 
@@ -65,7 +65,7 @@ class Projection {
         rows.setZero();
         double* row = rows.data();
         weighted_rows(
-            system_, feature, fit_.counted.features[f], sweeps_, residual, k, 1,
+            system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k, 1,
             {columns.all(), row + columns.residual_at(), row + columns.nuisance, block.unknowns > 0 ? row : nullptr,
              block.parameters.size > 0 ? row + block.unknowns : nullptr, block.parameters.first});
         const int dimension = feature.dimension();
@@ -106,11 +106,12 @@ class Projection {
     const FeatureWeights& weights = fit_.counted.features[f];
     const int reading = feature.readings[k];
     const int dimension = feature.dimension();
-    const Sweep& sweep = sweeps_[system_.probes[reading]];
+    const ForwardKinematics& kinematics = kinematics_by_probe_[system_.probes[reading]];
     Eigen::Map<Eigen::Matrix3Xd> tips(searched_.tips.col(looked_at_).data(), 3, effects_.size());
-    effects_.at(reading, sweep, tips, searched_.turnings.col(looked_at_));
+    effects_.at(reading, kinematics, tips, searched_.rotations.col(looked_at_));
     ++looked_at_;
-    const Residual at = residual.at(k, sweep.tip_in_base(system_.sines_of(reading)), sweep.tip_radius(), true);
+    const Residual at =
+        residual.at(k, kinematics.tip_in_base(system_.sines_of(reading)), kinematics.tip_radius(), true);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const Eigen::Matrix3d to_rows = whitening * at.by_tip;
@@ -134,7 +135,7 @@ class Projection {
   const ArmFit& fit_;
   const EffectColumns& effects_;
   const GroupState none_;
-  std::vector<Sweep> sweeps_;
+  std::vector<ForwardKinematics> kinematics_by_probe_;
   int every_;
   Eigen::VectorXd squares_;  // of each effect's column before anything was taken out
   Eigen::Index looked_at_ = 0;

@@ -14,15 +14,15 @@ struct Searched {
   Eigen::VectorXd residuals;
   double degrees_of_freedom = 0.0;
   /// Of each reading that was looked at, a column: what each effect does to its joint, and to the tip (x, y, z, mm).
-  Eigen::MatrixXd turnings;
+  Eigen::MatrixXd rotations;
   Eigen::MatrixXd tips;
 
-  [[nodiscard]] int readings() const { return static_cast<int>(turnings.cols()); }
+  [[nodiscard]] int readings() const { return static_cast<int>(rotations.cols()); }
 };
 
 /// Of more readings so many are looked at, evenly taken; of those on balls and planes, which say a third, three times
 /// as many.
-inline constexpr int most_searched_readings = 4000;
+inline constexpr int max_searched_readings = 4000;
 /// Share of a column that the fitted model must leave if anything is to be said of it.
 inline constexpr double least_seen = 1e-6;
 

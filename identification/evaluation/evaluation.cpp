@@ -47,7 +47,7 @@ Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns
 }
 
 bool is_ball(const FeatureConstraint& feature) {
-  return feature.demand == Demand::OnBall || feature.demand == Demand::AtDistance;
+  return feature.kind == ConstraintKind::OnBall || feature.kind == ConstraintKind::AtDistance;
 }
 
 /// Where an arm has one feature by its own readings alone, whatever its artefact says of the others.
@@ -59,7 +59,7 @@ struct Measured {
 Measured measure(const Tips& tips, const Unknowns& unknowns) {
   const FeatureConstraint& feature = *tips.feature;
   Measured measured{tips.centres.rowwise().mean(), 0.0};
-  if (feature.demand == Demand::OnPlane && feature.location == Location::Unknown) {
+  if (feature.kind == ConstraintKind::OnPlane && feature.location == Location::Unknown) {
     const GroupState& group = unknowns.groups[feature.group];
     const PlaneAxis axis(group.reference, group.values.data());
     const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
@@ -86,8 +86,9 @@ double variance_of_point(const Tips& tips, const Eigen::Vector3d& point, const E
   return direction.dot(normal.ldlt().solve(direction));
 }
 
-double length_between(const Measured& from, const Measured& to, Demand demand) {
-  return demand == Demand::OnPlane ? std::abs(to.height - from.height) : (to.point_in_base - from.point_in_base).norm();
+double length_between(const Measured& from, const Measured& to, ConstraintKind kind) {
+  return kind == ConstraintKind::OnPlane ? std::abs(to.height - from.height)
+                                         : (to.point_in_base - from.point_in_base).norm();
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
   const Constraints& constraints = *system.constraints;
   const Arm& arm = system.start;
   const auto all = all_tips(system, arm);
-  const auto unknowns = settle(system, arm, recording, all);
+  const auto unknowns = estimate_nuisance_parameters(system, arm, recording, all);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
@@ -147,7 +148,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
   for (const auto& distance : constraints.distances) {
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
-    const double length = length_between(measured[distance.first], measured[distance.second], first.demand);
+    const double length = length_between(measured[distance.first], measured[distance.second], first.kind);
     const Eigen::Vector3d along =
         (measured[distance.second].point_in_base - measured[distance.first].point_in_base).normalized();
     double variance = 0.0;

@@ -92,7 +92,7 @@ const Deviation* standing_out(const std::vector<Deviation>& deviations, double s
 
 }  // namespace
 
-std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation, double far_off) {
+std::optional<std::string> implausible_feature(const Evaluation& evaluation, double far_off) {
   const auto* feature = standing_out(evaluation.features, usual_deviation(evaluation.features), far_off);
   if (feature == nullptr) {
     return std::nullopt;
@@ -103,8 +103,8 @@ std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation,
       in_quotes(feature->name.feature), in_quotes(feature->name.placement), feature->rms);
 }
 
-std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off) {
-  if (auto feature = feature_that_stands_out(evaluation, far_off)) {
+std::optional<std::string> implausible_feature_text(const Evaluation& evaluation, double far_off) {
+  if (auto feature = implausible_feature(evaluation, far_off)) {
     return feature;
   }
   const auto* length = standing_out(evaluation.lengths, usual_deviation(evaluation.features), far_off);

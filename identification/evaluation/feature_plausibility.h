@@ -10,10 +10,10 @@ namespace artcal {
 /// A feature whose readings fit an arm far worse than the others' do, in words: rms above `far_off` (mm), five times
 /// the median, and more than chance makes of the worst of so many features of so few readings. The wrong ball was read,
 /// or in another place than the rest, or some readings are another feature's.
-std::optional<std::string> feature_that_stands_out(const Evaluation& evaluation, double far_off);
+std::optional<std::string> implausible_feature(const Evaluation& evaluation, double far_off);
 
 /// The same, else a certified distance that stands out so, against the uncertainties of its certified value and of its
 /// two ends, each fitted by itself: features have each other's names.
-std::optional<std::string> what_stands_out(const Evaluation& evaluation, double far_off);
+std::optional<std::string> implausible_feature_text(const Evaluation& evaluation, double far_off);
 
 }  // namespace artcal

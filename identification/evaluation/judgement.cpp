@@ -31,12 +31,12 @@ void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identificati
     return;
   }
   if (result.chi_squared > result.chi_squared_high) {
-    result.enlargement = std::max(1.0, agreement.ratio);
+    result.scale_factor = std::max(1.0, agreement.ratio);
     result.warnings.push_back(
         fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
                     "the noise is larger, or the arm has errors this model does not know; all "
-                    "standard uncertainties were enlarged by that factor",
-                    result.enlargement));
+                    "standard uncertainties were multiplied by that factor (Birge ratio)",
+                    result.scale_factor));
   } else if (result.chi_squared < result.chi_squared_low) {
     result.warnings.push_back(
         fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
@@ -61,7 +61,7 @@ Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parame
   }
   return no_solution(
       fmt::format("no joint that works has such errors: {} (rad, rad/rad, rad/(N mm), 1/K); these "
-                  "readings hardly tell them. Leave the group out of the model, or hold them: --hold {}",
+                  "readings hardly determine them. Leave the group out of the model, or fix them: --hold {}",
                   absurd, names));
 }
 
@@ -84,7 +84,7 @@ std::vector<std::string> suspicions(const Identification& result, double length)
         "the readings agree to the last digits, as no real ones do: the standard uncertainties say nothing about a "
         "real arm");
   }
-  if (const auto strange = what_stands_out(result.after, a_slip)) {
+  if (const auto strange = implausible_feature_text(result.after, a_slip)) {
     warnings.push_back(*strange);
   }
   if (result.after.overall.rms > result.before.overall.rms) {
@@ -137,14 +137,14 @@ Error misfit_error(const std::vector<std::string>& misfits, int attempts, const 
   } else {
     found +=
         "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
-        "order, signs and units of the arm's file; --model auto looks for errors that the model lacks";
+        "order, signs and units of the arm's file; --model auto searches for unmodelled errors";
   }
   return {ErrorCode::NoSolution, found + "; --accept-misfit writes the arm all the same", {}};
 }
 
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {
   const auto evaluation = evaluate(recording, constraints, start);
-  if (const auto strange = evaluation ? what_stands_out(*evaluation, another_place) : std::nullopt) {
+  if (const auto strange = evaluation ? implausible_feature_text(*evaluation, another_place) : std::nullopt) {
     error.message = "no arm fits these readings: " + *strange + "; " + error.message;
   }
   return error;

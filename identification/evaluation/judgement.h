@@ -10,10 +10,10 @@
 namespace artcal {
 
 /// Whether the residuals are as large as the noise says: writes noise, degrees of freedom, χ² and its limits, the
-/// enlargement and a warning.
+/// scale factor and a warning.
 void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result);
 
-/// No solution: errors that no joint has, since readings that hardly tell them let them run away.
+/// No solution: errors that no joint has, since readings that hardly determine them let them run away.
 Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters);
 
 /// Things that are no error but that a careful person would want to know; `length` is the arm's reach, mm.

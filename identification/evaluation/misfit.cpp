@@ -102,7 +102,7 @@ std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, con
                                  const std::vector<Parameter>& free, const Noise& noise, Loss loss) {
   std::vector<std::string> reasons;
   judge_residuals(fit, nominal, noise, loss, reasons);
-  if (const auto outlier = loss == Loss::None ? feature_that_stands_out(after, another_place) : std::nullopt) {
+  if (const auto outlier = loss == Loss::None ? implausible_feature(after, another_place) : std::nullopt) {
     reasons.push_back(*outlier);
   }
   if (loss == Loss::None) {

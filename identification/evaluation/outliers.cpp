@@ -78,7 +78,7 @@ void add_distances(const Recording& recording, const Constraints& constraints, c
 
 void add_shared(const Constraints& constraints, const ArmFit& fit, const Redundancy& redundancy, Certificates& found) {
   for (std::size_t s = 0; s < constraints.shared.size(); ++s) {
-    const SharedUnknown& shared = constraints.shared[s];
+    const ArtefactParameter& shared = constraints.shared[s];
     const Check& check = redundancy.shared[s];
     const double residual = fit.residuals.shared[s];
     const double size = shared.u > 0.0 ? standardised(residual * residual, 1, check) : 0.0;
@@ -88,7 +88,7 @@ void add_shared(const Constraints& constraints, const ArmFit& fit, const Redunda
     }
     const Artefact& artefact = constraints.artefacts[shared.artefact];
     const CertifiedFeature& feature = artefact.features[shared.feature];
-    const bool is_radius = shared.quantity == SharedUnknown::Quantity::Radius;
+    const bool is_radius = shared.quantity == ArtefactParameter::Quantity::Radius;
     CertificateOutlier outlier;
     outlier.name = {artefact.name, "", feature.name};
     outlier.quantity = shared.quantity;
@@ -124,7 +124,7 @@ double observation_count(const Constraints& constraints) {
   for (const FeatureConstraint& feature : constraints.features) {
     count += feature.size();
   }
-  for (const SharedUnknown& shared : constraints.shared) {
+  for (const ArtefactParameter& shared : constraints.shared) {
     count += shared.u > 0.0 ? 1.0 : 0.0;
   }
   return count;
@@ -183,7 +183,7 @@ std::string warning_of(const std::vector<CertificateOutlier>& certificates, Loss
 }
 
 std::string quantity_text(const CertificateOutlier& outlier) {
-  using Quantity = SharedUnknown::Quantity;
+  using Quantity = ArtefactParameter::Quantity;
   const std::string feature = in_quotes(outlier.name.feature);
   if (!outlier.quantity) {
     return fmt::format("distance {} to {}", feature, in_quotes(outlier.second));

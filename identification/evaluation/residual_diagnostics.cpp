@@ -15,11 +15,11 @@
 namespace artcal {
 namespace {
 
-constexpr int most_findings = 8;
+constexpr int max_findings = 8;
 constexpr double least_noise = 1e-6;  // mm; below, what is left is rounding
 
 // More than a joint that works turns by without its encoder: rad, rms over the readings, their mean taken off.
-constexpr double most_rotation = 0.01;
+constexpr double max_rotation = 0.01;
 
 /// One family's share of the residuals.
 struct Share {
@@ -112,7 +112,7 @@ ModelFinding finding_of(const EffectFamily& family, const Share& share, const Ei
     squares += (reading.reshaped(3, family.columns) * coefficients).squaredNorm();
   }
   finding.rms_at_tip = std::sqrt(squares / readings);
-  Eigen::VectorXd rotations = searched.turnings.middleRows(family.first, family.columns).transpose() * coefficients;
+  Eigen::VectorXd rotations = searched.rotations.middleRows(family.first, family.columns).transpose() * coefficients;
   if (family.effect == Effect::Gravity) {
     finding.amplitude = rotations.norm() / std::sqrt(readings);
   } else if (family.columns == 2) {
@@ -134,7 +134,7 @@ ModelFinding finding_of(const EffectFamily& family, const Share& share, const Ei
 // Whether a joint that works can have it.
 bool is_plausible(const ModelFinding& finding) {
   const double size = std::abs(finding.amplitude);
-  if (!(finding.rms_rotation <= most_rotation)) {
+  if (!(finding.rms_rotation <= max_rotation)) {
     return false;
   }
   switch (finding.effect) {
@@ -144,7 +144,7 @@ bool is_plausible(const ModelFinding& finding) {
     case Effect::Expansion: return size <= most_of(ParameterKind::Expansion);
     case Effect::Gravity:
     case Effect::Drift:
-    case Effect::Warmth: break;
+    case Effect::TemperatureOffset: break;
   }
   return true;
 }
@@ -179,7 +179,7 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
   Eigen::VectorXd residuals = searched.residuals;
   double degrees_of_freedom = searched.degrees_of_freedom;
   study.readings = searched.readings();
-  while (study.findings.size() < most_findings) {
+  while (study.findings.size() < max_findings) {
     std::vector<ModelTest> tests;
     std::vector<std::pair<const EffectFamily*, Share>> shares;
     for (const EffectFamily& candidate : effects.families()) {

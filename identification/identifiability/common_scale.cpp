@@ -58,19 +58,19 @@ Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& param
 }
 
 Eigen::VectorXd unidentifiable_scale(const Arm& arm, const std::vector<Parameter>& parameters,
-                                     const Eigen::VectorXd& growth, const Eigen::MatrixXd& null_space) {
-  if (null_space.cols() == 0 || growth.norm() == 0.0 || !scale_is_asked(arm, parameters)) {
+                                     const Eigen::VectorXd& expansion_factor, const Eigen::MatrixXd& null_space) {
+  if (null_space.cols() == 0 || expansion_factor.norm() == 0.0 || !scale_is_asked(arm, parameters)) {
     return {};
   }
   Eigen::MatrixXd unseen = null_space;
-  for (Eigen::Index i = 0; i < growth.size(); ++i) {
+  for (Eigen::Index i = 0; i < expansion_factor.size(); ++i) {
     if (parameters[i].kind == ParameterKind::Radius) {
-      unseen.conservativeResize(growth.size(), unseen.cols() + 1);
-      unseen.rightCols<1>() = Eigen::VectorXd::Unit(growth.size(), i);
+      unseen.conservativeResize(expansion_factor.size(), unseen.cols() + 1);
+      unseen.rightCols<1>() = Eigen::VectorXd::Unit(expansion_factor.size(), i);
     }
   }
-  const Eigen::VectorXd parts = unseen.completeOrthogonalDecomposition().solve(growth);
-  if ((growth - unseen * parts).norm() >= not_seen * growth.norm()) {
+  const Eigen::VectorXd parts = unseen.completeOrthogonalDecomposition().solve(expansion_factor);
+  if ((expansion_factor - unseen * parts).norm() >= not_seen * expansion_factor.norm()) {
     return {};
   }
   return null_space * parts.head(null_space.cols());

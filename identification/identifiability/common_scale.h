@@ -17,7 +17,7 @@ Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& param
 /// growth of balls of one size, where there is one. Empty if the scale is identifiable, or a length is taken as known.
 /// `growth` is scale_motion() of `parameters`, `null_space` has orthonormal columns.
 Eigen::VectorXd unidentifiable_scale(const Arm& arm, const std::vector<Parameter>& parameters,
-                                     const Eigen::VectorXd& growth, const Eigen::MatrixXd& null_space);
+                                     const Eigen::VectorXd& expansion_factor, const Eigen::MatrixXd& null_space);
 
 /// The unidentifiable directions in their simplest form, in physical units.
 struct SimplestDirections {

@@ -63,7 +63,7 @@ Eigen::VectorXd usual_errors(const Arm& arm, const std::vector<Parameter>& param
   return errors;
 }
 
-void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eigen::VectorXd& growth,
+void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eigen::VectorXd& expansion_factor,
                const FixedParameters& fixed, double weak_below, Coupling& coupling) {
   for (Eigen::Index i = coupling.rank - 1; i >= 0; --i) {
     const double singular_value = coupling.singular_values[i];
@@ -75,7 +75,8 @@ void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eig
     const Eigen::VectorXd direction = v.col(i) - fixed.motions * at_fixed;
     Eigen::Index leading = 0;
     direction.cwiseAbs().maxCoeff(&leading);
-    const double share = growth.norm() > 0.0 ? std::abs(v.col(i).dot(growth)) / growth.norm() : 0.0;
+    const double share =
+        expansion_factor.norm() > 0.0 ? std::abs(v.col(i).dot(expansion_factor)) / expansion_factor.norm() : 0.0;
     coupling.weak.push_back({singular_value, in_real_units({direction, static_cast<int>(leading)}, scale), share});
   }
 }
@@ -89,9 +90,9 @@ bool is_as_read(const Constraints& constraints) {
 
 }  // namespace
 
-std::vector<int> Coupling::held() const {
+std::vector<int> Coupling::fixed() const {
   std::vector<int> indices;
-  for (const auto& motion : lost) {
+  for (const auto& motion : unidentifiable) {
     indices.push_back(motion.leading);
   }
   return indices;
@@ -109,7 +110,7 @@ std::vector<std::string> default_hold_order(const Arm& arm) {
 Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints& constraints, const Arm& arm,
                                    const CouplingOptions& options) {
   if (constraints.features.empty()) {
-    return no_solution("there are no readings on any feature, and so nothing to tell an arm by");
+    return no_solution("there are no readings on any feature, and so nothing to identify an arm from");
   }
   if (const double length = reach(arm); !(length > shortest_arm && length < longest_arm)) {
     return bad_input(
@@ -128,12 +129,12 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   coupling.angle_scale = options.angle_scale > 0.0 ? options.angle_scale : reach(arm);
   System system = make_system(recording, constraints, arm, coupling.parameters, coupling.angle_scale);
-  auto unknowns = settle(system, arm, recording);
+  auto unknowns = estimate_nuisance_parameters(system, arm, recording);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
   satisfy_distances(constraints, *unknowns);
-  coupling.readings_not_moved = make_consistent(system, recording, arm, *unknowns);
+  coupling.readings_not_moved = project_onto_constraints(system, recording, arm, *unknowns);
   coupling.residual_count = constraints.residual_count();
   coupling.unknown_count = constraints.unknown_count();
 
@@ -144,9 +145,9 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Svd decomposition = svd(triangle);
   coupling.singular_values = decomposition.values;
   const double sigma_max = std::max(min_sigma_max, coupling.singular_values[0]);
-  coupling.rank = static_cast<int>((coupling.singular_values.array() > options.lost_below * sigma_max).count());
+  coupling.rank = static_cast<int>((coupling.singular_values.array() > options.rank_tolerance * sigma_max).count());
 
-  std::vector<std::string> order = options.rather_held;
+  std::vector<std::string> order = options.preferred_fixed;
   for (const auto& name : default_hold_order(arm)) {
     if (!contains(options.rather_free, name)) {
       order.push_back(name);
@@ -154,20 +155,20 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   }
   const Eigen::MatrixXd& v = decomposition.right_vectors;
   const Eigen::MatrixXd null_space = v.rightCols(v.cols() - coupling.rank);
-  const Eigen::VectorXd growth = scale_motion(arm, coupling.parameters, system.scale);
-  const Eigen::VectorXd lost_scale = unidentifiable_scale(arm, coupling.parameters, growth, null_space);
+  const Eigen::VectorXd expansion_factor = scale_motion(arm, coupling.parameters, system.scale);
+  const Eigen::VectorXd lost_scale = unidentifiable_scale(arm, coupling.parameters, expansion_factor, null_space);
   const SimplestDirections directions = simplest_directions(
       null_space, usual_errors(arm, coupling.parameters, system.scale),
       {indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free)}, lost_scale);
   for (Eigen::Index i = 0; i < directions.shown.cols(); ++i) {
     const int fixed = directions.fixed.indices[static_cast<std::size_t>(i)];
-    coupling.lost.push_back(in_real_units({directions.shown.col(i), fixed}, system.scale));
+    coupling.unidentifiable.push_back(in_real_units({directions.shown.col(i), fixed}, system.scale));
   }
   // What of the growth is not lost anyway.
-  const Eigen::VectorXd seen = growth - null_space * (null_space.transpose() * growth);
+  const Eigen::VectorXd seen = expansion_factor - null_space * (null_space.transpose() * expansion_factor);
   find_weak(v, system.scale, seen, directions.fixed, options.weak_below, coupling);
   if (lost_scale.size() > 0) {
-    coupling.scale = ScaleState::Lost;
+    coupling.scale = ScaleState::Unidentifiable;
   } else if (std::any_of(coupling.weak.begin(), coupling.weak.end(),
                          [](const WeakDirection& weak) { return weak.share_of_scale > 0.7; })) {
     coupling.scale = ScaleState::Weak;

@@ -15,44 +15,45 @@ namespace artcal {
 /// A motion of the parameters. `coefficients` are in mm and rad, as Coupling::parameters.
 struct ParameterMotion {
   Eigen::VectorXd coefficients;
-  int leading = 0;  ///< the parameter whose coefficient is 1; of a lost motion, the one that is held
+  int leading = 0;  ///< the parameter whose coefficient is 1; of an unidentifiable motion, the one that is held
 };
 
 /// A direction that the readings see, but poorly.
 struct WeakDirection {
   double singular_value = 0.0;
-  ParameterMotion motion;       ///< no held parameter takes part
+  ParameterMotion motion;       ///< no fixed parameter takes part
   double share_of_scale = 0.0;  ///< |cosine| between it and the common scale of all lengths
 };
 
-enum class ScaleState { Determined, Weak, Lost };
+enum class ScaleState { Determined, Weak, Unidentifiable };
 
 /// What a set of readings can tell of an arm, and what it cannot.
 struct Coupling {
   std::vector<Parameter> parameters;  ///< those that were asked about
   int rank = 0;
-  Eigen::VectorXd singular_values;    ///< largest first; columns in mm and angle_scale·rad
-  double angle_scale = 0.0;           ///< mm
-  std::vector<ParameterMotion> lost;  ///< one a lost dimension; together they span what is lost
+  Eigen::VectorXd singular_values;  ///< largest first; columns in mm and angle_scale·rad
+  double angle_scale = 0.0;         ///< mm
+  std::vector<ParameterMotion>
+      unidentifiable;  ///< one an unidentifiable dimension; together they span what is unidentifiable
   std::vector<WeakDirection> weak;
   ScaleState scale = ScaleState::Determined;
   int residual_count = 0;
   int unknown_count = 0;       ///< nuisance unknowns, eliminated
-  int readings_not_moved = 0;  ///< see make_consistent()
+  int readings_not_moved = 0;  ///< see project_onto_constraints()
 
-  [[nodiscard]] std::vector<int> held() const;  ///< indices of the parameters that hold the lost motions
+  [[nodiscard]] std::vector<int> fixed() const;  ///< indices of the parameters that hold the unidentifiable motions
 };
 
 struct CouplingOptions {
   std::vector<std::string> not_asked;  ///< parameters taken as known
   std::vector<std::string>
       beside_asked;  ///< radii of tips and joint errors that are parameters here; the others are known
-  std::vector<std::string> rather_held;  ///< hold these first, where they take part in a lost motion
-  std::vector<std::string> rather_free;  ///< and these last
-  Noise noise;                           ///< for what distances and readings are worth to each other
-  double angle_scale = 0.0;              ///< mm; 0 takes the reach
-  double lost_below = 1e-8;              ///< σ/σ1; a lost direction comes out at 1e-13 and a weak one at 1e-4
-  double weak_below = 2e-2;              ///< σ/σ1: a fiftieth of the best direction is poor
+  std::vector<std::string> preferred_fixed;  ///< hold these first, where they take part in an unidentifiable motion
+  std::vector<std::string> rather_free;      ///< and these last
+  Noise noise;                               ///< for what distances and readings are worth to each other
+  double angle_scale = 0.0;                  ///< mm; 0 takes the reach
+  double rank_tolerance = 1e-8;  ///< σ/σ1; an unidentifiable direction comes out at 1e-13 and a weak one at 1e-4
+  double weak_below = 2e-2;      ///< σ/σ1: a fiftieth of the best direction is poor
 };
 
 /// Linearises the constraints at the arm, with every reading on its constraint (see make_consistent),

@@ -48,7 +48,7 @@ bool is_one_sum(Arm arm, const WristPair& pair) {
   Eigen::MatrixX2d moves(3 * std::ssize(arm.probes), 2);
   for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
     std::vector<double> by_both(6);
-    Sweep(arm, both, probe).tip_in_base(sines, by_both.data());
+    ForwardKinematics(arm, both, probe).tip_in_base(sines, by_both.data());
     moves.middleRows<3>(3 * probe) = Eigen::Matrix<double, 3, 2>::Map(by_both.data());
   }
   moves.col(1) /= std::max(1.0, reach(arm));
@@ -57,15 +57,15 @@ bool is_one_sum(Arm arm, const WristPair& pair) {
   return moves.col(1).norm() > 1e-9 && across < 1e-7 * sizes;
 }
 
-// Whether the readings identify any member of a group, given which motions are lost. A member that they do not identify
-// alone is fixed like any other parameter, and the rest of the group stays.
+// Whether the readings identify any member of a group, given which motions are unidentifiable. A member that they do
+// not identify alone is fixed like any other parameter, and the rest of the group stays.
 Expected<void> check_group(const Selection::Group& group, const Coupling& coupling) {
-  std::string lost;
+  std::string unidentifiable;
   std::size_t count = 0;
-  for (const ParameterMotion& motion : coupling.lost) {
+  for (const ParameterMotion& motion : coupling.unidentifiable) {
     if (contains(group.members, coupling.parameters[motion.leading].name)) {
       ++count;
-      lost += (lost.empty() ? "" : "; ") + lost_in_words(coupling, motion);
+      unidentifiable += (unidentifiable.empty() ? "" : "; ") + unidentifiable_in_words(coupling, motion);
     }
   }
   if (count < group.members.size()) {
@@ -74,7 +74,7 @@ Expected<void> check_group(const Selection::Group& group, const Coupling& coupli
   return no_solution(
       fmt::format("the group {} was asked for, but these readings identify no parameter of it: {}. Leave it out of the "
                   "model",
-                  name_of(group.group), lost));
+                  name_of(group.group), unidentifiable));
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
   }
   for (const auto& name : free) {
     if (contains(hold, name)) {
-      return wrong_usage(fmt::format("{} cannot be both held and free", name));
+      return wrong_usage(fmt::format("{} cannot be both fixed and free", name));
     }
   }
   Selection selection{hold, {}, free, {}, {}};
@@ -122,7 +122,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
                                      name_of(group)));
     }
     selection.groups.push_back(std::move(added));
-    for (const auto& name : held_with(group, arm)) {
+    for (const auto& name : fixed_with(group, arm)) {
       if (!contains(free, name) && !contains(hold, name)) {
         selection.fixed_first.push_back(name);
       }
@@ -131,7 +131,7 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
   for (const WristPair& pair : wrist_pairs(arm)) {
     if (contains(free, pair.first) && contains(free, pair.second) && is_one_sum(arm, pair)) {
       return wrong_usage(
-          fmt::format("{} and {} are never identified together: readings tell only one sum of the two; "
+          fmt::format("{} and {} are never identified together: readings determine only one sum of the two; "
                       "free one of them",
                       pair.first, pair.second));
     }
@@ -149,12 +149,13 @@ Selection of_chain(const Selection& selection) {
 
 CouplingOptions coupling_options(const Selection& selection) {
   CouplingOptions options;
-  options.not_asked = selection.held;
+  options.not_asked = selection.fixed;
   options.beside_asked = selection.beside;
-  // The last joint's pairs, then members of groups: a lost motion that they take part in beside is told by them.
-  options.rather_held = selection.fixed_first;
+  // The last joint's pairs, then members of groups: an unidentifiable motion that they take part in beside is told by
+  // them.
+  options.preferred_fixed = selection.fixed_first;
   for (const Selection::Group& group : selection.groups) {
-    options.rather_held.insert(options.rather_held.end(), group.members.begin(), group.members.end());
+    options.preferred_fixed.insert(options.preferred_fixed.end(), group.members.begin(), group.members.end());
   }
   options.rather_free = selection.rather_free;
   return options;
@@ -166,18 +167,18 @@ Expected<std::vector<Parameter>> free_parameters(const Selection& selection, con
       return tl::unexpected(told.error());
     }
   }
-  std::vector<bool> held(coupling.parameters.size(), false);
-  for (const auto& motion : coupling.lost) {
+  std::vector<bool> fixed(coupling.parameters.size(), false);
+  for (const auto& motion : coupling.unidentifiable) {
     const std::string& name = coupling.parameters[motion.leading].name;
     if (contains(selection.rather_free, name)) {
-      return no_solution(fmt::format("{} was asked to be free, but these readings cannot tell it: {}", name,
-                                     lost_in_words(coupling, motion)));
+      return no_solution(fmt::format("{} was asked to be free, but these readings cannot determine it: {}", name,
+                                     unidentifiable_in_words(coupling, motion)));
     }
-    held[motion.leading] = true;
+    fixed[motion.leading] = true;
   }
   std::vector<Parameter> free;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (!held[i]) {
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (!fixed[i]) {
       free.push_back(coupling.parameters[i]);
     }
   }

@@ -10,9 +10,9 @@
 
 namespace artcal {
 
-/// Two parameters of the last joint of which readings tell only one sum where α is ±90° and a is zero (Gao 2013 Eq. 10,
-/// 11, signs put right): θn + an/l and αn − dn/l. Only a standard-DH arm has them; `first` is a or d. Whether they are
-/// a pair for the arm and the readings at hand is computed (Coupling), not taken from here.
+/// Two parameters of the last joint of which readings determine only one sum where α is ±90° and a is zero (Gao 2013
+/// Eq. 10, 11, signs put right): θn + an/l and αn − dn/l. Only a standard-DH arm has them; `first` is a or d. Whether
+/// they are a pair for the arm and the readings at hand is computed (Coupling), not taken from here.
 struct WristPair {
   std::string first, second;
 };
@@ -20,7 +20,7 @@ std::vector<WristPair> wrist_pairs(const Arm& arm);
 
 /// What is asked for, before the readings have been heard.
 struct Selection {
-  std::vector<std::string> held;         ///< by request: taken as known
+  std::vector<std::string> fixed;        ///< by request: taken as known
   std::vector<std::string> fixed_first;  ///< fixed by preference where they take part in an unidentifiable direction
   std::vector<std::string> rather_free;  ///< requested to be identified
   std::vector<std::string> beside;  ///< radii of tips and joint errors that are parameters here: all others are known
@@ -45,8 +45,9 @@ Selection of_chain(const Selection& selection);
 CouplingOptions coupling_options(const Selection& selection);
 
 /// The parameters to identify: all but one for each unidentifiable direction, so that their number is the rank.
-/// No solution: a parameter requested to be free is lost; all members of a group are. Single members that the readings
-/// do not identify, alone or in combination with other parameters, are fixed like any lost parameter.
+/// No solution: a parameter requested to be free is unidentifiable; all members of a group are. Single members that the
+/// readings do not identify, alone or in combination with other parameters, are fixed like any unidentifiable
+/// parameter.
 Expected<std::vector<Parameter>> free_parameters(const Selection& selection, const Coupling& coupling);
 
 }  // namespace artcal

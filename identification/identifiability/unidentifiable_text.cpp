@@ -11,7 +11,7 @@ namespace artcal {
 namespace {
 
 // A weak direction has a bit of everything; its largest parts tell what it is.
-constexpr std::ptrdiff_t most_terms = 5;
+constexpr std::ptrdiff_t max_terms = 5;
 
 struct Term {
   const Parameter* parameter;
@@ -54,7 +54,7 @@ std::string joined(const std::vector<Term>& terms) {
 
 }  // namespace
 
-std::string lost_as_motion(const Coupling& coupling, const ParameterMotion& motion) {
+std::string unidentifiable_as_motion(const Coupling& coupling, const ParameterMotion& motion) {
   std::string text;
   for (const Term& term : terms_of(coupling, motion)) {
     text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", term.parameter->name,
@@ -63,24 +63,25 @@ std::string lost_as_motion(const Coupling& coupling, const ParameterMotion& moti
   return text;
 }
 
-std::string lost_in_words(const Coupling& coupling, const ParameterMotion& motion) {
+std::string unidentifiable_in_words(const Coupling& coupling, const ParameterMotion& motion) {
   const auto terms = terms_of(coupling, motion);
-  const std::string& held = coupling.parameters[motion.leading].name;
+  const std::string& fixed = coupling.parameters[motion.leading].name;
   if (terms.size() == 1 && terms.front().parameter->kind == ParameterKind::Radius) {
     return fmt::format(
-        "{} cannot be told: only its sum with the unknown radius of a ball or the unknown place of a plane is seen",
-        held);
+        "{} is not identifiable: only its sum with the unknown radius of a ball or the unknown place of a plane is "
+        "seen",
+        fixed);
   }
   if (terms.size() == 1) {
-    return fmt::format("{} cannot be told at all", held);
+    return fmt::format("{} is not identifiable", fixed);
   }
   if (terms.size() == 2) {
-    const Term& other = terms[terms[0].parameter->name == held ? 1 : 0];
+    const Term& other = terms[terms[0].parameter->name == fixed ? 1 : 0];
     // Moving the held one by 1 and the other by c is not seen, so other − c·held is what stays.
-    return fmt::format("{} {} can be told, {} alone cannot", other.parameter->name,
-                       signed_term(-other.coefficient, held), held);
+    return fmt::format("{} {} is identifiable, {} alone is not", other.parameter->name,
+                       signed_term(-other.coefficient, fixed), fixed);
   }
-  return fmt::format("{} move together unseen, {} alone cannot be told", joined(terms), held);
+  return fmt::format("{} change together without any effect, {} alone is not identifiable", joined(terms), fixed);
 }
 
 std::string weak_in_words(const Coupling& coupling, const WeakDirection& weak) {
@@ -93,7 +94,7 @@ std::string weak_in_words(const Coupling& coupling, const WeakDirection& weak) {
   const double largest = terms.empty() ? 0.0 : in_millimetres(terms.front());
   const auto small =
       std::find_if(terms.begin(), terms.end(), [&](const Term& term) { return in_millimetres(term) < 0.1 * largest; });
-  const auto shown = std::min(small, terms.begin() + std::min<std::ptrdiff_t>(most_terms, std::ssize(terms)));
+  const auto shown = std::min(small, terms.begin() + std::min<std::ptrdiff_t>(max_terms, std::ssize(terms)));
   const bool more = shown != terms.end();
   terms.erase(shown, terms.end());
   return joined(terms) + (more ? " and smaller parts" : "") +

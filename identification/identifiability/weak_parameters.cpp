@@ -47,21 +47,21 @@ int leading(const Eigen::VectorXd& direction, const std::vector<Parameter>& free
 
 // The growth of all lengths in proportion, in prior standard deviations.
 Eigen::VectorXd growth_of(const Arm& arm, const std::vector<Parameter>& free) {
-  Eigen::VectorXd growth = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
+  Eigen::VectorXd expansion_factor = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(free.size()));
   for (std::size_t i = 0; i < free.size(); ++i) {
-    growth[static_cast<Eigen::Index>(i)] = free[i].is_length() ? value(arm, free[i]) / prior_length : 0.0;
+    expansion_factor[static_cast<Eigen::Index>(i)] = free[i].is_length() ? value(arm, free[i]) / prior_length : 0.0;
   }
-  return growth;
+  return expansion_factor;
 }
 
 // Whether the relative uncertainty of the common growth of all lengths is above the bound: with the growth g and the
 // covariance C = Σ vᵢvᵢᵀ·(noise/σᵢ)² in prior standard deviations, √(gᵀCg)/|g|².
-bool scale_is_weak(const Eigen::MatrixXd& triangle, const Eigen::VectorXd& growth, double noise) {
-  const double size = growth.squaredNorm();
+bool scale_is_weak(const Eigen::MatrixXd& triangle, const Eigen::VectorXd& expansion_factor, double noise) {
+  const double size = expansion_factor.squaredNorm();
   const Svd decomposition = svd(triangle);
   double variance = 0.0;
   for (Eigen::Index i = 0; i < decomposition.values.size(); ++i) {
-    const double part = decomposition.right_vectors.col(i).dot(growth);
+    const double part = decomposition.right_vectors.col(i).dot(expansion_factor);
     variance += std::pow(noise * part / std::max(decomposition.values[i], 1e-300), 2);
   }
   return size > 0.0 && !(std::sqrt(variance) <= max_scale_uncertainty * size);
@@ -111,7 +111,7 @@ std::optional<WeakParameters> find_weak_parameters(const Recording& recording, c
                                                    const Arm& start, const std::vector<Parameter>& free,
                                                    const Noise& noise) {
   const System system = make_system(recording, constraints, start, free);
-  auto unknowns = settle(system, start, recording);
+  auto unknowns = estimate_nuisance_parameters(system, start, recording);
   if (!unknowns) {
     return std::nullopt;
   }

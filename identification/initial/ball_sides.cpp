@@ -15,7 +15,7 @@ constexpr double decisive = 30.0;
 constexpr int unknowns_of_a_centre = 3;
 
 bool is_ball(const Tips& tips) {
-  return tips.feature->demand == Demand::OnBall || tips.feature->demand == Demand::AtDistance;
+  return tips.feature->kind == ConstraintKind::OnBall || tips.feature->kind == ConstraintKind::AtDistance;
 }
 
 double squares(const Tips& tips, const Eigen::VectorXd& rho, const Eigen::Vector3d& centre) {

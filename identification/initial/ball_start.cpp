@@ -11,13 +11,13 @@
 namespace artcal {
 namespace {
 
-constexpr int most_iterations = 50;
+constexpr int max_iterations = 50;
 constexpr double cauchy_width = 2.385;  // standard deviations
 // When readings of another feature are looked for: least squares miss by this share of the radius, and a robust fit
 // leaves half of the readings within that share of their rms.
 constexpr double gross_miss = 0.2;
 constexpr double strangers_only = 0.05;
-constexpr Eigen::Index fewest_for_robust = 6;
+constexpr Eigen::Index min_for_robust = 6;
 
 /// Points from their own mean, and where a ball's centre is by equations that are linear in it.
 struct Centred {
@@ -56,7 +56,7 @@ struct Fitted {
 std::optional<Fitted> refine_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size,
                                     Eigen::Vector3d centre) {
   double squares = 0.0;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     squares = 0.0;
@@ -86,7 +86,7 @@ std::optional<Fitted> refine_ball(const Eigen::Matrix3Xd& p, const Eigen::Vector
   Eigen::MatrixX4d slope(p.cols(), 4);
   slope.col(3).setConstant(-1.0);
   Eigen::VectorXd miss;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const Eigen::Matrix3Xd away = (-p).colwise() + ball.centre;
     const Eigen::VectorXd length = away.colwise().norm();
     if (!(length.minCoeff() > 0.0)) {
@@ -137,7 +137,7 @@ Eigen::VectorXd misses(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, co
 // readings of another feature among the ball's do not move it.
 Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho) {
   Eigen::Vector3d centre(median_of(p.row(0)), median_of(p.row(1)), median_of(p.row(2)));
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const double scale =
         std::max(1e-6 * rho.mean(), cauchy_width * sigma_per_median() * median_of(misses(p, rho, centre)));
     Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
@@ -164,7 +164,7 @@ Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& 
 Eigen::Vector3d without_strangers(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho,
                                   const Eigen::Vector3d& centre) {
   const double rms = misses(p, rho, centre).norm() / std::sqrt(static_cast<double>(p.cols()));
-  if (p.cols() < fewest_for_robust || rms < gross_miss * rho.mean()) {
+  if (p.cols() < min_for_robust || rms < gross_miss * rho.mean()) {
     return centre;
   }
   const Eigen::Vector3d robust = robust_centre(p, rho);

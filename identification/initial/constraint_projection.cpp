@@ -11,9 +11,10 @@ namespace artcal {
 namespace {
 
 // Where the constraint wants a tip: the nearest point that has no residual.
-Eigen::Vector3d nearest(const FeatureResidual& residual, int reading, const Sweep& sweep, JointSines sines) {
-  const Eigen::Vector3d tip = sweep.tip_in_base(sines);
-  const Residual r = residual.at(reading, tip, sweep.tip_radius(), true);
+Eigen::Vector3d nearest(const FeatureResidual& residual, int reading, const ForwardKinematics& kinematics,
+                        JointReading sines) {
+  const Eigen::Vector3d tip = kinematics.tip_in_base(sines);
+  const Residual r = residual.at(reading, tip, kinematics.tip_radius(), true);
   const Eigen::MatrixX3d slope = r.by_tip.topRows(r.rows);  // orthonormal rows
   return tip - slope.transpose() * r.value.head(r.rows);
 }
@@ -21,15 +22,15 @@ Eigen::Vector3d nearest(const FeatureResidual& residual, int reading, const Swee
 }  // namespace
 
 bool needs_moving(const FeatureConstraint& feature, const Constraints& constraints) {
-  if (feature.demand == Demand::OnPlane ||
-      (feature.demand == Demand::Coincide && feature.location == Location::Unknown)) {
+  if (feature.kind == ConstraintKind::OnPlane ||
+      (feature.kind == ConstraintKind::Coincide && feature.location == Location::Unknown)) {
     return true;
   }
   return feature.shared_radius >= 0 && constraints.shared[feature.shared_radius].u == 0.0;
 }
 
-int make_consistent(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns) {
-  const auto sweeps = sweeps_of(system, arm);
+int project_onto_constraints(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns) {
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const std::size_t width = arm.joints.size();
   int left = 0;
   for (const auto& feature : system.constraints->features) {
@@ -41,9 +42,10 @@ int make_consistent(System& system, const Recording& recording, const Arm& arm, 
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
-      const Eigen::Vector3d target = nearest(residual, k, sweeps[system.probes[reading]], system.sines_of(reading));
-      const auto q = reach_point(arm, system.probes[reading], target, recording.joints.col(reading),
-                                 system.temperatures[static_cast<std::size_t>(reading)]);
+      const Eigen::Vector3d target =
+          nearest(residual, k, kinematics_by_probe[system.probes[reading]], system.sines_of(reading));
+      const auto q = reach_with_joints(arm, system.probes[reading], target, recording.joints.col(reading),
+                                       system.temperatures[static_cast<std::size_t>(reading)]);
       if (!q) {
         ++left;
         continue;

@@ -28,7 +28,7 @@ constexpr double firmly = 1e4;  // times a prior's weight: what it is on stays
 // wrong side.
 constexpr double narrowing[] = {3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.3};
 
-bool is_ball(const FeatureConstraint& feature) { return feature.demand == Demand::OnBall; }
+bool is_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
 
 double radii_of(const FeatureConstraint& feature, double tip_radius) {
   return tip_radius + (feature.radius > 0.0 ? feature.radius : ball_of_unknown_size);
@@ -135,7 +135,7 @@ std::optional<State> fit_to_centres(Alignment alignment, const Recording& record
   if (alignment != Alignment::TipCentres) {
     lengthen_to_centres(constraints, state.system);
   }
-  auto unknowns = settle(state.system, state.system.start, recording);
+  auto unknowns = estimate_nuisance_parameters(state.system, state.system.start, recording);
   if (!unknowns) {
     return std::nullopt;
   }
@@ -161,7 +161,7 @@ std::optional<State> fit_to_centres(Alignment alignment, const Recording& record
 // Where the fit to the spheres begins: at the centres, planes and poses of the coarse fit, radii by the readings.
 std::optional<Unknowns> begin_at(const Unknowns& coarse, const System& system, const Arm& arm,
                                  const Recording& recording) {
-  auto unknowns = settle(system, arm, recording);
+  auto unknowns = estimate_nuisance_parameters(system, arm, recording);
   if (!unknowns) {
     return std::nullopt;
   }
@@ -187,8 +187,8 @@ std::optional<Arm> fit_to_spheres(const Recording& recording, const Constraints&
   state.prior = prior_weights(state.system);
   for (const double sigma : narrowing) {
     if (!unknowns) {
-      const auto settled = settle(state.system, state.arm(), recording);
-      unknowns = settled ? std::optional(*settled) : std::nullopt;
+      const auto estimated = estimate_nuisance_parameters(state.system, state.arm(), recording);
+      unknowns = estimated ? std::optional(*estimated) : std::nullopt;
     }
     if (!unknowns) {
       return std::nullopt;
@@ -218,7 +218,7 @@ std::vector<Alignment> alignments_for(const Recording& recording, const Constrai
   }
   const System system = make_system(recording, constraints, arm, {});
   const auto tips = all_tips(system, arm);
-  const auto unknowns = settle(system, arm, recording, tips);
+  const auto unknowns = estimate_nuisance_parameters(system, arm, recording, tips);
   return unknowns && all_round(tips, *unknowns) ? std::vector{None, StylusCentres, TipCentres, Robust, JointsFirst}
                                                 : std::vector{StylusCentres, TipCentres, Robust, JointsFirst, None};
 }

@@ -20,7 +20,7 @@ namespace artcal {
 namespace {
 
 // Against readings that count 1 per mm: what is certified stays where it is.
-constexpr double held_firmly = 1e6;
+constexpr double fixed_firmly = 1e6;
 
 std::string called(const FeatureConstraint& feature, const Constraints& constraints, const Recording& recording) {
   const FeatureName name = name_of(feature, constraints, recording);
@@ -33,11 +33,11 @@ std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd&
   const Eigen::Vector3d from_mean = from.rowwise().mean();
   const Eigen::Vector3d onto_mean = onto.rowwise().mean();
   const Eigen::Matrix3d moment = (onto.colwise() - onto_mean) * (from.colwise() - from_mean).transpose();
-  const Turning turning = turning_of(moment);
-  if (!(turning.shares[1] > 1e-9 * turning.shares[0])) {
+  const Rotation rotation = rotation_of_moment(moment);
+  if (!(rotation.shares[1] > 1e-9 * rotation.shares[0])) {
     return std::nullopt;
   }
-  Rigid onto_from{turning.rotation, {}};
+  Rigid onto_from{rotation.rotation, {}};
   onto_from.translation = onto_mean - onto_from.rotation * from_mean;
   return onto_from;
 }
@@ -73,20 +73,20 @@ bool refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& share
   return true;
 }
 
-Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, const std::string& called,
-                           GroupState& group) {
+Expected<void> estimate_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared,
+                             const std::string& called, GroupState& group) {
   std::vector<Eigen::Vector3d> from;
   std::vector<Eigen::Vector3d> onto;
   std::vector<Eigen::Vector3d> planes_from;
   std::vector<Eigen::Vector3d> planes_onto;
   for (const Tips& tips : features) {
     const FeatureConstraint& feature = *tips.feature;
-    if (feature.demand == Demand::Coincide) {
+    if (feature.kind == ConstraintKind::Coincide) {
       from.insert(from.end(), feature.known.begin(), feature.known.end());
       for (const auto& tip : tips.centres.colwise()) {
         onto.emplace_back(tip);
       }
-    } else if (feature.demand == Demand::OnPlane) {
+    } else if (feature.kind == ConstraintKind::OnPlane) {
       // The middle of a plane's readings for the point of it that is certified: near enough to begin with.
       planes_from.push_back(feature.known.front() + tips.radii.mean() * feature.normal);
       planes_onto.emplace_back(tips.centres.rowwise().mean());
@@ -108,7 +108,7 @@ Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::Vecto
   const auto pose = from.size() < 3 ? std::nullopt : align(matrix(from), matrix(onto));
   if (!pose) {
     return no_solution(
-        fmt::format("the pose of the artefact of {} cannot be told: readings on at least three of its "
+        fmt::format("the pose of the artefact of {} cannot be determined: readings on at least three of its "
                     "points that are not on a line are needed",
                     called));
   }
@@ -117,7 +117,7 @@ Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::Vecto
   group.values.segment<3>(3) = pose->translation;
   if (!refine_pose(features, shared, group)) {
     return no_solution(
-        fmt::format("the pose of the artefact of {} cannot be told from readings on these planes: three "
+        fmt::format("the pose of the artefact of {} cannot be determined from readings on these planes: three "
                     "are needed, no two of them parallel",
                     called));
   }
@@ -125,7 +125,7 @@ Expected<void> settle_pose(const std::vector<Tips>& features, const Eigen::Vecto
 }
 
 // Radii that no certificate tells: each ball's from its own readings, then their mean over the placements.
-void settle_radii(const std::vector<Tips>& balls, const Constraints& constraints, Eigen::VectorXd& shared) {
+void estimate_radii(const std::vector<Tips>& balls, const Constraints& constraints, Eigen::VectorXd& shared) {
   for (Eigen::Index s = 0; s < shared.size(); ++s) {
     shared[s] = constraints.shared[s].certified;
     double sum = 0.0;
@@ -154,7 +154,7 @@ void refine_radii(System system, const Arm& arm, Unknowns& unknowns) {
   bool uncertified = false;
   for (std::size_t s = 0; s < constraints.shared.size(); ++s) {
     uncertified |= constraints.shared[s].u == 0.0;
-    weights.shared[s] = constraints.shared[s].u > 0.0 ? held_firmly : 0.0;
+    weights.shared[s] = constraints.shared[s].u > 0.0 ? fixed_firmly : 0.0;
   }
   if (uncertified) {
     Solution solution = solve(system, weights, Eigen::VectorXd(), unknowns);
@@ -166,12 +166,12 @@ void refine_radii(System system, const Arm& arm, Unknowns& unknowns) {
 
 }  // namespace
 
-Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording) {
-  return settle(system, arm, recording, all_tips(system, arm));
+Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm& arm, const Recording& recording) {
+  return estimate_nuisance_parameters(system, arm, recording, all_tips(system, arm));
 }
 
-Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording,
-                          const std::vector<Tips>& tips) {
+Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm& arm, const Recording& recording,
+                                                const std::vector<Tips>& tips) {
   const Constraints& constraints = *system.constraints;
   std::vector<Tips> balls;
   std::vector<std::vector<Tips>> by_group(constraints.groups.size());
@@ -185,33 +185,33 @@ Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording&
   }
   Unknowns unknowns;
   unknowns.shared.resize(system.shared_size());
-  settle_radii(balls, constraints, unknowns.shared);
+  estimate_radii(balls, constraints, unknowns.shared);
   for (std::size_t i = 0; i < by_group.size(); ++i) {
     GroupState& group = unknowns.groups.emplace_back();
     const std::string first = called(*by_group[i].front().feature, constraints, recording);
     if (constraints.groups[i].has_pose) {
-      if (auto settled = settle_pose(by_group[i], unknowns.shared, first, group); !settled) {
-        return tl::unexpected(settled.error());
+      if (auto estimated = estimate_pose(by_group[i], unknowns.shared, first, group); !estimated) {
+        return tl::unexpected(estimated.error());
       }
       continue;
     }
     if (constraints.groups[i].has_axis) {
-      auto settled = settle_planes(by_group[i], constraints, first);
-      if (!settled) {
-        return tl::unexpected(settled.error());
+      auto estimated = estimate_planes(by_group[i], constraints, first);
+      if (!estimated) {
+        return tl::unexpected(estimated.error());
       }
-      group = std::move(*settled);
+      group = std::move(*estimated);
       continue;
     }
     group.values = Eigen::VectorXd::Zero(constraints.groups[i].size);
     for (const Tips& own : by_group[i]) {
       const FeatureConstraint& feature = *own.feature;
-      const auto centre = feature.demand == Demand::Coincide
+      const auto centre = feature.kind == ConstraintKind::Coincide
                               ? std::optional<Eigen::Vector3d>(own.centres.rowwise().mean())
                               : point_at_distances(own.centres, distances_from_centre(own, unknowns.shared));
       if (!centre) {
         return no_solution(
-            fmt::format("the centre of {} cannot be told from its {} readings: at least four are needed, "
+            fmt::format("the centre of {} cannot be determined from its {} readings: at least four are needed, "
                         "and not all in one plane",
                         called(feature, constraints, recording), feature.size()));
       }

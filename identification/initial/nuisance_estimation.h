@@ -12,11 +12,11 @@ namespace artcal {
 /// coordinates and radii count as exact.
 /// No solution, by name of the feature: a centre that its readings do not determine (fewer than four,
 /// or all in one plane), a pose from points on a line, a plane from readings on a line.
-Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording);
+Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm& arm, const Recording& recording);
 
 /// The same for who has the tips: all_tips(system, arm).
-Expected<Unknowns> settle(const System& system, const Arm& arm, const Recording& recording,
-                          const std::vector<Tips>& tips);
+Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm& arm, const Recording& recording,
+                                                const std::vector<Tips>& tips);
 
 /// Shifts settled points, by the least amount, so that binding distances hold exactly.
 void satisfy_distances(const Constraints& constraints, Unknowns& unknowns);

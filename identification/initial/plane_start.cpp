@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-// Of what the possible sides differ by: a certified distance missed by more does not tell the side.
+// Of what the possible sides differ by: a certified distance missed by more does not determine the side.
 constexpr double told_clearly = 0.45;
 
 // The stylus shows the side of a plane where this many readings have it on one side, so far from the plane on average.
@@ -136,7 +136,7 @@ std::optional<std::vector<double>> sides_by_stylus(const std::vector<Tips>& plan
   return sides;
 }
 
-// Whether a distance is met well enough to tell the sides of its planes.
+// Whether a distance is met well enough to determine the sides of its planes.
 bool tells_sides(const Between& between, const std::vector<Tips>& planes, const std::vector<BothSides>& places,
                  const Sides& sides) {
   const Tips& first = planes[between.first];
@@ -192,7 +192,7 @@ Eigen::Vector3d normal_by_styluses(const std::vector<Tips>& planes) {
 }
 
 // A gauge looks along the axis or against it: its certified heights and its tips' radii agree with one.
-void settle_gauge(const std::vector<Tips>& faces, GroupState& group) {
+void estimate_gauge(const std::vector<Tips>& faces, GroupState& group) {
   double least = std::numeric_limits<double>::infinity();
   Eigen::Matrix3d turned = group.reference.rotation;
   turned.rightCols<2>() *= -1.0;
@@ -216,14 +216,14 @@ void settle_gauge(const std::vector<Tips>& faces, GroupState& group) {
 
 }  // namespace
 
-Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constraints& constraints,
-                                   const std::string& called) {
+Expected<GroupState> estimate_planes(const std::vector<Tips>& planes, const Constraints& constraints,
+                                     const std::string& called) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(scatter_of(planes));
   if (!(eigen.eigenvalues()[1] > 1e-9 * eigen.eigenvalues()[2])) {
-    return no_solution(
-        fmt::format("the plane of {} cannot be told from its readings: at least three are needed that are not on a "
-                    "line, on it or on planes certified to be parallel",
-                    called));
+    return no_solution(fmt::format(
+        "the plane of {} cannot be determined from its readings: at least three are needed that are not on a "
+        "line, on it or on planes certified to be parallel",
+        called));
   }
   GroupState group;
   Eigen::Index count = 0;
@@ -244,7 +244,7 @@ Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constr
   group.reference.rotation << across, axis.cross(across), axis;
 
   if (is_gauge) {
-    settle_gauge(planes, group);
+    estimate_gauge(planes, group);
     return group;
   }
   std::vector<BothSides> places;

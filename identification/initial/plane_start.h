@@ -19,8 +19,8 @@ namespace artcal {
 /// Faces of a gauge have certified sides and heights; its axis then points to where these rise.
 ///
 /// No solution, as a sentence about `called`: readings on a line; an arm that misses a certified distance by so
-/// much that the side cannot be told.
-Expected<GroupState> settle_planes(const std::vector<Tips>& planes, const Constraints& constraints,
-                                   const std::string& called);
+/// much that the side cannot be determined.
+Expected<GroupState> estimate_planes(const std::vector<Tips>& planes, const Constraints& constraints,
+                                     const std::string& called);
 
 }  // namespace artcal

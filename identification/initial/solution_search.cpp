@@ -68,19 +68,19 @@ Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparatio
   const auto again = [&](const Arm& start, const WeakPrior& prior) {
     return fitted(prepare_from(start, recording, constraints, options), recording, constraints, options, prior);
   };
-  auto held = found->names.empty() ? tl::unexpected(Error{}) : again(found->arm, {found->names, recording.arm});
-  auto whole = again(held ? held->fit.arm : found->arm, {});
+  auto fixed = found->names.empty() ? tl::unexpected(Error{}) : again(found->arm, {found->names, recording.arm});
+  auto whole = again(fixed ? fixed->fit.arm : found->arm, {});
   if (is_plausible(whole, recording.arm)) {
     return whole;
   }
-  if (!is_plausible(held, recording.arm)) {
+  if (!is_plausible(fixed, recording.arm)) {
     return failed;
   }
-  if (found->scale_is_weak || contradicts({found->names, recording.arm}, held->fit, held->preparation.free)) {
+  if (found->scale_is_weak || contradicts({found->names, recording.arm}, fixed->fit, fixed->preparation.free)) {
     return tl::unexpected(hardly_determined(found->names, found->scale_is_weak));
   }
   weak = found->names;
-  return held;
+  return fixed;
 }
 
 Expected<Candidate> candidate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,

@@ -15,7 +15,7 @@ namespace artcal {
 namespace {
 
 constexpr int max_rounds = 20;
-constexpr double noise_stands = 1e-4;        // relative change at which the noise has settled
+constexpr double noise_tolerance = 1e-4;     // relative change at which the noise has settled
 constexpr double good_for_the_noise = 1e-4;  // mm a step moves; the rounds that follow go on from there
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
 constexpr double least_noise = 1e-9;   // mm
@@ -73,7 +73,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
                          const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
                          const Linearisation* at_start, const WeakPrior& prior) {
   const System system = make_system(recording, constraints, start, free);
-  auto unknowns = settle(system, start, recording);
+  auto unknowns = estimate_nuisance_parameters(system, start, recording);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
@@ -84,7 +84,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   if (fit.degrees_of_freedom < 1) {
     return no_solution(
         fmt::format("{} residuals cannot determine {} parameters and {} unknown coordinates with "
-                    "anything left to judge them by; take more readings or hold parameters",
+                    "anything left to judge them by; take more readings or fix parameters",
                     residuals, system.arm_size(), constraints.unknown_count()));
   }
   fit.arm = start;
@@ -138,7 +138,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     } else {
       const double better =
           std::max(least_noise, sigma * noise_factor(fit.residuals, fit.degrees_of_freedom, options.loss));
-      standing = fit.rounds > 1 && std::abs(better - sigma) <= noise_stands * sigma;
+      standing = fit.rounds > 1 && std::abs(better - sigma) <= noise_tolerance * sigma;
       if (!standing) {
         sigma = better;
         fit.weights = uniform_weights(constraints, sigma);

@@ -69,8 +69,8 @@ std::vector<Block> blocks_of(const Constraints& constraints) {
   return all;
 }
 
-NumberLayout layout_of(const Constraints& constraints, int arm_size) {
-  NumberLayout layout;
+StateLayout layout_of(const Constraints& constraints, int arm_size) {
+  StateLayout layout;
   for (const UnknownGroup& group : constraints.groups) {
     layout.groups.push_back(layout.common);
     layout.common += group.size;
@@ -80,7 +80,7 @@ NumberLayout layout_of(const Constraints& constraints, int arm_size) {
   return layout;
 }
 
-Eigen::VectorXd packed(const NumberLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x) {
+Eigen::VectorXd packed(const StateLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x) {
   Eigen::VectorXd numbers(layout.size);
   for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
     const Eigen::VectorXd& values = unknowns.groups[g].values;
@@ -91,7 +91,7 @@ Eigen::VectorXd packed(const NumberLayout& layout, const Unknowns& unknowns, con
   return numbers;
 }
 
-void unpack(const NumberLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns) {
+void unpack(const StateLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns) {
   for (std::size_t g = 0; g < unknowns.groups.size(); ++g) {
     Eigen::VectorXd& values = unknowns.groups[g].values;
     values = numbers.segment(layout.groups[g], values.size());

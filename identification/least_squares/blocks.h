@@ -36,17 +36,17 @@ struct Block {
 std::vector<Block> blocks_of(const Constraints& constraints);
 
 /// Positions in one vector of all unknowns: those of each group, the artefact parameters, then the arm's x.
-struct NumberLayout {
+struct StateLayout {
   std::vector<Eigen::Index> groups;  ///< where each begins; as Constraints::groups
   Eigen::Index common = 0;           ///< where the artefact parameters begin; the arm follows them
   Eigen::Index arm = 0;
   Eigen::Index size = 0;
 };
-NumberLayout layout_of(const Constraints& constraints, int arm_size);
+StateLayout layout_of(const Constraints& constraints, int arm_size);
 
 /// Unknowns and the arm's x as one vector. REQUIRES: x.size() == layout.size - layout.arm.
-Eigen::VectorXd packed(const NumberLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x);
+Eigen::VectorXd packed(const StateLayout& layout, const Unknowns& unknowns, const Eigen::VectorXd& x);
 /// Puts a vector's unknowns into `unknowns`, which have their sizes and references already.
-void unpack(const NumberLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns);
+void unpack(const StateLayout& layout, const Eigen::VectorXd& numbers, Unknowns& unknowns);
 
 }  // namespace artcal

@@ -23,7 +23,7 @@ std::vector<Component> components_of(const std::vector<BlockRows>& blocks);
 
 /// Rows that determine some unknowns, given what remains: own·δ(columns) + by_rest·δ(rest) + by_trailing·δ(trailing).
 struct EliminatedRows {
-  std::vector<Eigen::Index> columns;  ///< positions as NumberLayout
+  std::vector<Eigen::Index> columns;  ///< positions as StateLayout
   std::vector<Eigen::Index> rest;
   Eigen::MatrixXd own;  ///< upper triangular; fewer rows than columns where these are not determined
   Eigen::MatrixXd by_rest;

@@ -41,7 +41,7 @@ std::vector<Block> placed_blocks(const Constraints& constraints, std::vector<std
 
 GramTree::GramTree(const PlacedLinearisation& placed) : placed_(placed) {
   const Linearisation& linearisation = placed.linearisation;
-  const NumberLayout& layout = linearisation.layout;
+  const StateLayout& layout = linearisation.layout;
   arm_size_ = layout.size - layout.arm;
   by_group_.resize(layout.groups.size());
   by_parameters_.resize(static_cast<std::size_t>(layout.arm - layout.common));

@@ -42,7 +42,7 @@ class GramTree {
 
    private:
     friend class GramTree;
-    const NumberLayout* layout_ = nullptr;
+    const StateLayout* layout_ = nullptr;
     std::vector<const EliminatedRows*> rows_;
     std::vector<std::vector<EliminatedRows>> own_;
     Eigen::MatrixXd gram_;

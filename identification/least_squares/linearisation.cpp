@@ -42,7 +42,7 @@ int max_rows(const System& system, Loss loss, const Block& block) {
 }
 
 Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss loss, const Block& block,
-                           const std::vector<Sweep>& sweeps, const BlockPoint& point) {
+                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point) {
   const Constraints& constraints = *system.constraints;
   const int before_arm = block.nuisance();
   const int columns = before_arm + system.arm_size() + 1;
@@ -56,7 +56,7 @@ Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss lo
     for (int first = 0; first < feature.size(); first += readings_at_once) {
       const int count = std::min(readings_at_once, feature.size() - first);
       weighted_rows(
-          system, feature, weights.features[f], sweeps, residual, first, count,
+          system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
           {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
            block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
       if (loss != Loss::None) {
@@ -95,13 +95,13 @@ Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss lo
 }
 
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
-                  const std::vector<Sweep>& sweeps, const BlockPoint& point) {
+                  const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point) {
   const Constraints& constraints = *system.constraints;
   double sum = 0.0;
   for (const int f : block.features) {
     const FeatureConstraint& feature = constraints.features[f];
     RowMatrix residuals(feature.size() * feature.dimension(), 1);
-    weighted_rows(system, feature, weights.features[f], sweeps,
+    weighted_rows(system, feature, weights.features[f], kinematics_by_probe,
                   FeatureResidual(feature, point.reference, point.values, point.shared), 0, feature.size(),
                   {1, residuals.data()});
     if (loss != Loss::None) {
@@ -132,14 +132,14 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
 
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
                         const Arm& arm, const Unknowns& unknowns) {
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const GroupState none;
   Linearisation result;
   result.layout = layout_of(*system.constraints, system.arm_size());
   for (const Block& block : blocks) {
     const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
     result.blocks.push_back({block.group, block.unknowns, block.parameters,
-                             block_rows(system, weights, loss, block, sweeps,
+                             block_rows(system, weights, loss, block, kinematics_by_probe,
                                         {group.reference, group.values.data(), unknowns.shared.data()})});
   }
   return result;

@@ -32,7 +32,7 @@ struct BlockRows {
 /// concave, so that ρ(s) ≥ s·ρ'(s)).
 struct Linearisation {
   std::vector<BlockRows> blocks;  ///< as blocks_of()
-  NumberLayout layout;
+  StateLayout layout;
 };
 
 /// Where a block is taken: its group's reference and values, and the values of all artefact parameters.
@@ -44,14 +44,14 @@ struct BlockPoint {
 
 /// The rows of one block.
 Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss loss, const Block& block,
-                           const std::vector<Sweep>& sweeps, const BlockPoint& point);
+                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point);
 
 /// Most rows that block_rows() can have.
 int max_rows(const System& system, Loss loss, const Block& block);
 
 /// Σρ of one block: twice its cost.
 double block_cost(const System& system, const Weights& weights, Loss loss, const Block& block,
-                  const std::vector<Sweep>& sweeps, const BlockPoint& point);
+                  const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point);
 
 /// Sum of squares that a loss expects of a reading's weighted residual (see loss_of()).
 inline double expected_square(const FeatureWeights& weights, int reading, int dimension) {
@@ -73,7 +73,7 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
                         const Arm& arm, const Unknowns& unknowns);
 
 /// Weighted residual of what a certificate says of a shared unknown at `value`; its derivative is the weight.
-inline double weighted_shared(const SharedUnknown& shared, double weight, double value) {
+inline double weighted_shared(const ArtefactParameter& shared, double weight, double value) {
   return weight * (value - shared.certified);
 }
 

@@ -16,25 +16,25 @@ namespace artcal {
 namespace {
 
 // Unknowns that remain after the elimination: beyond, their matrix is sparse enough to be treated as such.
-constexpr int most_dense = 300;
+constexpr int max_dense = 300;
 
 /// Sweeps at the arm's x that was asked for last: Ceres evaluates all blocks at one x before it goes on.
 class SweepsAt {
  public:
   explicit SweepsAt(const System& system) : system_(system) {}
-  const std::vector<Sweep>& operator()(const double* x) {
+  const std::vector<ForwardKinematics>& operator()(const double* x) {
     const auto at = Eigen::VectorXd::Map(x, system_.arm_size());
-    if (sweeps_.empty() || at != x_) {
+    if (kinematics_by_probe_.empty() || at != x_) {
       x_ = at;
-      sweeps_ = sweeps_of(system_, system_.arm_at(x));
+      kinematics_by_probe_ = forward_kinematics_of(system_, system_.arm_at(x));
     }
-    return sweeps_;
+    return kinematics_by_probe_;
   }
 
  private:
   const System& system_;
   Eigen::VectorXd x_;
-  std::vector<Sweep> sweeps_;
+  std::vector<ForwardKinematics> kinematics_by_probe_;
 };
 
 /// One block of the linearisation as a Ceres cost. Parameter blocks: the arm's x, where there are any the group's
@@ -44,14 +44,14 @@ class SweepsAt {
 class BlockCost final : public ceres::CostFunction {
  public:
   BlockCost(const System& system, const Weights& weights, Loss loss, Block block, GroupReference reference,
-            const double* shared, SweepsAt& sweeps, const Eigen::MatrixXd* at_start, BlockRows& rows)
+            const double* shared, SweepsAt& kinematics_by_probe, const Eigen::MatrixXd* at_start, BlockRows& rows)
       : system_(system),
         weights_(weights),
         loss_(loss),
         block_(std::move(block)),
         reference_(std::move(reference)),
         shared_(shared),
-        sweeps_(sweeps),
+        kinematics_by_probe_(kinematics_by_probe),
         at_start_(at_start),
         rows_(rows) {
     set_num_residuals(max_rows(system, loss, block_));
@@ -72,14 +72,14 @@ class BlockCost final : public ceres::CostFunction {
     Eigen::Map<Eigen::VectorXd> out(residuals, num_residuals());
     out.setZero();
     if (jacobians == nullptr) {
-      out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, sweeps_(x), point));
+      out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, kinematics_by_probe_(x), point));
       return true;
     }
     if (at_start_ != nullptr) {
       rows_.rows = *at_start_;  // Ceres evaluates first where it starts
       at_start_ = nullptr;
     } else {
-      rows_.rows = block_rows(system_, weights_, loss_, block_, sweeps_(x), point);
+      rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point);
     }
     const Eigen::MatrixXd& rows = rows_.rows;
     out.head(rows.rows()) = rows.rightCols<1>();
@@ -105,7 +105,7 @@ class BlockCost final : public ceres::CostFunction {
   Block block_;
   GroupReference reference_;
   const double* shared_;
-  SweepsAt& sweeps_;
+  SweepsAt& kinematics_by_probe_;
   mutable const Eigen::MatrixXd* at_start_;
   BlockRows& rows_;  // the last evaluated: at the end, the solution's
 };
@@ -184,12 +184,12 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
 }
 
-/// The solver's numbers in one piece of memory, as NumberLayout has them.
+/// The solver's numbers in one piece of memory, as StateLayout has them.
 /// Ceres orders parameter blocks of one elimination group by address; one piece makes that the order of the
 /// groups, whatever the heap looks like, and so the sums and their bits the same on every run.
 class Numbers {
  public:
-  Numbers(const NumberLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
+  Numbers(const StateLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
       : layout_(layout), all_(packed(layout, unknowns, x)) {}
   double* group(int index) { return all_.data() + layout_.groups[index]; }
   double* shared() { return all_.data() + layout_.common; }
@@ -201,7 +201,7 @@ class Numbers {
   }
 
  private:
-  const NumberLayout& layout_;
+  const StateLayout& layout_;
   Eigen::VectorXd all_;
 };
 
@@ -231,7 +231,7 @@ void choose_linear_solver(const std::vector<BlockRows>& blocks, int arm_size, Nu
       left += component.groups_are_leaves ? parameters.size : 0;
     }
   }
-  options.linear_solver_type = left <= most_dense ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
+  options.linear_solver_type = left <= max_dense ? ceres::DENSE_SCHUR : ceres::SPARSE_SCHUR;
   options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
   options.linear_solver_ordering = ordering;
 }
@@ -250,7 +250,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   for (const Block& block : blocks) {
     linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, {}});
   }
-  SweepsAt sweeps(system);
+  SweepsAt kinematics_by_probe(system);
   ceres::Problem problem;
   ceres::Solver::Options ceres_options = solver_options(options);
   StopWhenStill stop_when_still(options.still);
@@ -274,9 +274,9 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     }
     const GroupReference reference =
         block.group < 0 ? GroupReference{} : solution.unknowns.groups[block.group].reference;
-    auto cost =
-        std::make_unique<BlockCost>(system, weights, options.loss, block, reference, numbers.shared(), sweeps,
-                                    at_start == nullptr ? nullptr : &at_start->blocks[b].rows, linearisation.blocks[b]);
+    auto cost = std::make_unique<BlockCost>(
+        system, weights, options.loss, block, reference, numbers.shared(), kinematics_by_probe,
+        at_start == nullptr ? nullptr : &at_start->blocks[b].rows, linearisation.blocks[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   if (options.prior_weights.size() > 0) {

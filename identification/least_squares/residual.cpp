@@ -27,12 +27,12 @@ Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& w) {
 
 }  // namespace
 
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turning) {
-  const double angle = turning.norm();
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& rotation) {
+  const double angle = rotation.norm();
   if (angle == 0.0) {
     return Eigen::Matrix3d::Identity();
   }
-  return Eigen::AngleAxisd(angle, turning / angle).toRotationMatrix();
+  return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
 
 Rigid base_from_artefact(const GroupState& group) {
@@ -51,7 +51,7 @@ PlaneAxis::PlaneAxis(const GroupReference& reference, const double* group_values
 FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const GroupReference& reference,
                                  const double* group_values, const double* shared)
     : constraint_(constraint) {
-  if (constraint.location == Location::Unknown && constraint.demand == Demand::OnPlane) {
+  if (constraint.location == Location::Unknown && constraint.kind == ConstraintKind::OnPlane) {
     columns_ = 3;
     column_[2] = constraint.offset;
     axis_ = PlaneAxis(reference, group_values);
@@ -63,10 +63,10 @@ FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const Grou
     point_in_base_ = Eigen::Vector3d::Map(group_values + constraint.offset);
   } else if (constraint.location == Location::Posed) {
     columns_ = 6;
-    const Eigen::Vector3d turning = Eigen::Vector3d::Map(group_values);
-    artefact_from_base_ = (reference.rotation * rotation_of(turning)).transpose();
+    const Eigen::Vector3d rotation = Eigen::Vector3d::Map(group_values);
+    artefact_from_base_ = (reference.rotation * rotation_of(rotation)).transpose();
     origin_in_base_ = Eigen::Vector3d::Map(group_values + 3);
-    right_jacobian_ = right_jacobian(turning);
+    right_jacobian_ = right_jacobian(rotation);
   }
   if (constraint.first_error >= 0) {
     error_ = constraint.expansion * Eigen::Vector3d::Map(shared + constraint.first_error);
@@ -93,7 +93,7 @@ Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, d
 
 Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, double tip_radius,
                              bool derivatives) const {
-  if (constraint_.location == Location::Unknown && constraint_.demand == Demand::OnPlane) {
+  if (constraint_.location == Location::Unknown && constraint_.kind == ConstraintKind::OnPlane) {
     return at_unknown_plane(tip_in_base, tip_radius);
   }
   Residual r;
@@ -121,25 +121,25 @@ Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, do
   if (posed) {
     e -= constraint_.known[reading] + error_;
   }
-  if (constraint_.demand == Demand::Coincide) {
+  if (constraint_.kind == ConstraintKind::Coincide) {
     r.value = e;
     return r;
   }
   Eigen::RowVector3d direction = constraint_.normal.transpose();
-  if (constraint_.demand == Demand::OnPlane) {
+  if (constraint_.kind == ConstraintKind::OnPlane) {
     r.value[0] = direction * e - tip_radius;
   } else {
     const double distance = e.norm();
     // At the centre itself the direction is undefined; any one will do to leave it.
     direction = distance > 0.0 ? Eigen::RowVector3d(e.transpose() / distance) : Eigen::RowVector3d(0.0, 0.0, 1.0);
-    const bool ball = constraint_.demand == Demand::OnBall;
+    const bool ball = constraint_.kind == ConstraintKind::OnBall;
     r.value[0] = distance - (ball ? ball_radius_ + tip_radius : constraint_.distances[reading]);
   }
   if (derivatives) {
     r.by_tip.row(0) = direction * r.by_tip;
     r.by_unknowns.row(0).head(columns_) = direction * r.by_unknowns.leftCols(columns_);
     r.by_errors.row(0) = direction * r.by_errors;
-    r.by_tip_radius = constraint_.demand == Demand::AtDistance ? 0.0 : -1.0;
+    r.by_tip_radius = constraint_.kind == ConstraintKind::AtDistance ? 0.0 : -1.0;
     r.by_ball_radius = -constraint_.expansion;
   }
   return r;

@@ -73,7 +73,7 @@ class FeatureResidual {
 };
 
 /// exp: turning vector (rad) to rotation.
-Eigen::Matrix3d rotation_of(const Eigen::Vector3d& turning);
+Eigen::Matrix3d rotation_of(const Eigen::Vector3d& rotation);
 
 /// The pose of a group at its values.
 Rigid base_from_artefact(const GroupState& group);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int leading_rounds = 4;  // of Huber's loss
 constexpr int max_rounds = 60;
-constexpr double stands = 1e-3;  // change of the weights, between 0 and 1, and relative of the noise
-constexpr double stands_hardly = 0.05;
+constexpr double tolerance = 1e-3;  // change of the weights, between 0 and 1, and relative of the noise
+constexpr double weights_tolerance = 0.05;
 constexpr double least_noise = 1e-9;  // mm
 
 double largest_change(const std::vector<double>& from, const std::vector<double>& to) {
@@ -68,7 +68,7 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
     const Loss loss = round < leading_rounds ? Loss::Huber : options.loss;
     LossWeights next = loss_weights(constraints, fit.weights, loss, fit.residuals);
     change = std::max(largest_change(fit.loss_weights, next), noise_change);
-    if (round > leading_rounds && change < stands && converged) {
+    if (round > leading_rounds && change < tolerance && converged) {
       break;
     }
     fit.loss_weights = std::move(next);
@@ -80,7 +80,7 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
     converged = solution.termination == Termination::Converged;
     take_solution(std::move(solution), system, x, fit);
   }
-  if (!converged || change > stands_hardly) {
+  if (!converged || change > weights_tolerance) {
     return no_solution(
         fmt::format("the weights of the robust loss did not converge in {} rounds: too many readings or certificates "
                     "contradict each other to say which are right",

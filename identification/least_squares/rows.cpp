@@ -36,23 +36,23 @@ void put_arm_rows(double weight, const std::vector<double>& derivative, const Ei
 }  // namespace
 
 void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
-                   const std::vector<Sweep>& sweeps, const FeatureResidual& residual, int first, int count,
-                   const RowsOut& out) {
+                   const std::vector<ForwardKinematics>& kinematics_by_probe, const FeatureResidual& residual,
+                   int first, int count, const RowsOut& out) {
   const int rows = feature.dimension();
   const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr || out.by_shared != nullptr;
   const bool plain =
-      weights.matrix.empty() && feature.demand == Demand::Coincide && feature.location != Location::Posed;
+      weights.matrix.empty() && feature.kind == ConstraintKind::Coincide && feature.location != Location::Posed;
   std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const int reading = feature.readings[k];
-    const Sweep& sweep = sweeps[system.probes[reading]];
-    Eigen::Vector3d tip = out.by_arm != nullptr ? sweep.tip_in_base(system.sines_of(reading), by_parameters.data())
-                                                : sweep.tip_in_base(system.sines_of(reading));
+    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
+    Eigen::Vector3d tip = out.by_arm != nullptr ? kinematics.tip_in_base(system.sines_of(reading), by_parameters.data())
+                                                : kinematics.tip_in_base(system.sines_of(reading));
     if (!system.shifts.empty()) {
       tip += system.shifts[reading];
     }
-    const Residual r = residual.at(k, tip, sweep.tip_radius(), derivatives);
+    const Residual r = residual.at(k, tip, kinematics.tip_radius(), derivatives);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const std::ptrdiff_t at = i * rows * out.stride;
@@ -68,7 +68,7 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
         tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
         put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, out.by_arm + at, out.stride);
       }
-      if (const int column = sweep.radius_column(); column >= 0 && rows == 1) {
+      if (const int column = kinematics.radius_column(); column >= 0 && rows == 1) {
         out.by_arm[at + column] = whitening(0, 0) * r.by_tip_radius * system.scale[column];
       }
     }
@@ -98,7 +98,7 @@ double weighted_distance(const DistanceConstraint& distance, const Constraints& 
   if (by_group != nullptr) {
     std::fill_n(by_group, constraints.groups[first.group].size, 0.0);
   }
-  if (first.demand == Demand::OnPlane) {
+  if (first.kind == ConstraintKind::OnPlane) {
     const double apart = group_values[second.offset] - group_values[first.offset];
     const double sign = apart < 0.0 ? -1.0 : 1.0;
     if (by_group != nullptr) {

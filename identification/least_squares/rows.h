@@ -28,8 +28,8 @@ struct RowsOut {
 /// Computes the rows of readings [first, first + count) of a feature, dimension() rows a reading. `sweeps` come from
 /// sweeps_of() at the arm in question, `residual` is the feature's at the unknowns in question.
 void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
-                   const std::vector<Sweep>& sweeps, const FeatureResidual& residual, int first, int count,
-                   const RowsOut& out);
+                   const std::vector<ForwardKinematics>& kinematics_by_probe, const FeatureResidual& residual,
+                   int first, int count, const RowsOut& out);
 
 /// Weighted residual of a certified distance, and its derivative by the group's unknowns (may be null): between
 /// two points or centres, or between two planes along their common axis.

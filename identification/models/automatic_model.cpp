@@ -14,7 +14,7 @@ namespace {
 
 // Chance that a step takes any group where none improves anything.
 constexpr double false_alarms = 0.05;
-constexpr std::size_t fewest_placements = 3;
+constexpr std::size_t min_placements = 3;
 
 // How many standard errors an improvement must be, one-sided, among `groups` tried (Bonferroni).
 double limit_of(std::size_t placements, std::size_t groups) {
@@ -134,11 +134,11 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
   if (!best) {
     return best;
   }
-  if (best->left_out.size() < fewest_placements) {
+  if (best->left_out.size() < min_placements) {
     return wrong_usage(
         fmt::format("--model auto judges groups by placements that are left out, and needs at least {}; "
                     "this recording has {}",
-                    fewest_placements, best->after.placements.size()));
+                    min_placements, best->after.placements.size()));
   }
   if (const std::string why = first_refusal(*best); !why.empty()) {
     return no_solution("--model auto cannot judge the model to begin with: " + why);
@@ -157,7 +157,7 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
       auto result = identify(recording, constraints, wider);
       const std::string why = result ? first_refusal(*result) : result.error().text();
       if (!why.empty()) {
-        // What cannot be told now cannot be told beside more parameters either.
+        // What cannot be determined now cannot be determined beside more parameters either.
         trials.push_back(refused(step, wider.model, why));
         group = candidates.erase(group);
         continue;

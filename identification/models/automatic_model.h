@@ -19,7 +19,7 @@ namespace artcal {
 /// lower bound rather than an estimate for new readings (Identification::left_out_chose_the_model).
 ///
 /// All that was tried stands in Identification::trials. The errors are identify()'s; usage: fewer than three
-/// placements, with which no noise can be told, or options.leave_out not set.
+/// placements, with which no noise can be determined, or options.leave_out not set.
 Expected<Identification> identify_automatically(const Recording& recording, const Constraints& constraints,
                                                 const IdentifyOptions& options);
 

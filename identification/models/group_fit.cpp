@@ -108,10 +108,11 @@ std::vector<FixedMember> not_identifiable(const Preparation& preparation, const 
   std::vector<FixedMember> fixed;
   for (const ParameterGroup group : options.model) {
     const auto members = members_of(group, arm);
-    for (const ParameterMotion& motion : preparation.coupling.lost) {
+    for (const ParameterMotion& motion : preparation.coupling.unidentifiable) {
       const std::string& name = preparation.coupling.parameters[motion.leading].name;
       if (find_parameter(members, name) >= 0) {
-        fixed.push_back({name, group, Reason::NotIdentifiable, 0.0, 0.0, lost_in_words(preparation.coupling, motion)});
+        fixed.push_back(
+            {name, group, Reason::NotIdentifiable, 0.0, 0.0, unidentifiable_in_words(preparation.coupling, motion)});
       }
     }
   }

@@ -127,15 +127,15 @@ std::vector<Parameter> members_of(ParameterGroup group, const Arm& arm) {
   return members;
 }
 
-std::vector<std::string> held_with(ParameterGroup group, const Arm& arm) {
-  std::vector<std::string> held;
+std::vector<std::string> fixed_with(ParameterGroup group, const Arm& arm) {
+  std::vector<std::string> fixed;
   for (const Parameter& parameter : parameters_of(arm)) {
     if (group == ParameterGroup::Hayati && parameter.kind == ParameterKind::D &&
         joins_parallel_axes(arm, static_cast<std::size_t>(parameter.owner))) {
-      held.push_back(parameter.name);
+      fixed.push_back(parameter.name);
     }
   }
-  return held;
+  return fixed;
 }
 
 std::string obstacle_to(ParameterGroup group, const Arm& arm, const Recording& recording) {

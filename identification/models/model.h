@@ -49,7 +49,7 @@ Arm arm_for(const Model& model, Arm arm);
 std::vector<Parameter> members_of(ParameterGroup group, const Arm& arm);
 
 /// Parameters that go out because the group comes in: d of the joints that Hayati's β is given to.
-std::vector<std::string> held_with(ParameterGroup group, const Arm& arm);
+std::vector<std::string> fixed_with(ParameterGroup group, const Arm& arm);
 
 /// Why the group makes no sense for this arm and recording, whatever the readings tell; empty if it does. `arm` is
 /// the arm as stated, without the group.

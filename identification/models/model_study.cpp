@@ -21,18 +21,19 @@ std::string in_words(const ModelFinding& finding) {
                          degrees);
     case Effect::Gain: return fmt::format("joint {}: {:.3g} ppm of the angle", joint, 1e6 * finding.amplitude);
     case Effect::Gravity:
-      return fmt::format("joint {}: gives way to weight, by {:.3g} arcsec rms", joint, std::abs(arcsec));
+      return fmt::format("joint {}: bends under gravity, by {:.3g} arcsec rms", joint, std::abs(arcsec));
     case Effect::Drift:
       return fmt::format("joint {}: its zero drifts by {:.3g} arcsec from the first reading to the last", joint,
                          2.0 * arcsec);
-    case Effect::Warmth: return fmt::format("joint {}: its zero moves by {:.3g} arcsec a kelvin", joint, arcsec);
+    case Effect::TemperatureOffset:
+      return fmt::format("joint {}: its zero moves by {:.3g} arcsec a kelvin", joint, arcsec);
     case Effect::Expansion: break;
   }
   return fmt::format("the arm grows by {:.3g} ppm a kelvin", 1e6 * finding.amplitude);
 }
 
 std::string warning_of(const ModelStudy& study) {
-  constexpr std::size_t most_named = 2;
+  constexpr std::size_t max_named = 2;
   if (study.findings.empty()) {
     return study.implausible == 0
                ? ""
@@ -42,14 +43,14 @@ std::string warning_of(const ModelStudy& study) {
                  "is in them. No u here knows of that";
   }
   std::string named;
-  for (std::size_t i = 0; i < study.findings.size() && i < most_named; ++i) {
+  for (std::size_t i = 0; i < study.findings.size() && i < max_named; ++i) {
     const ModelFinding& finding = study.findings[i];
     named += fmt::format("{}{} (at the tip {:.2g} mm rms)", i == 0 ? "" : "; ", in_words(finding), finding.rms_at_tip);
   }
-  if (study.findings.size() > most_named) {
-    named += fmt::format("; and {} more", study.findings.size() - most_named);
+  if (study.findings.size() > max_named) {
+    named += fmt::format("; and {} more", study.findings.size() - max_named);
   }
-  return fmt::format("the residuals are more than noise, this model lacks: {}. No u here knows of that", named);
+  return fmt::format("the residuals exceed the noise; unmodelled effects: {}. No u here knows of that", named);
 }
 
 }  // namespace artcal

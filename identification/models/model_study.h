@@ -7,13 +7,13 @@ namespace artcal {
 
 /// What the residuals were searched for. All but Expansion are a change of one joint's reading q.
 enum class Effect {
-  OncePerTurn,   ///< A·sin(q + φ): an eccentric grating
-  TwicePerTurn,  ///< A·sin(2q + φ)
-  Gain,          ///< A·q
-  Gravity,       ///< in proportion to torques of weights about the joint's axis, the base's z axis pointing up
-  Drift,         ///< A·(place in the recording, −1 … 1): the zero moved while readings were taken
-  Warmth,        ///< A·(temperature − its mean): the zero moves with temperature
-  Expansion,     ///< all lengths of the arm grow with temperature
+  OncePerTurn,        ///< A·sin(q + φ): an eccentric grating
+  TwicePerTurn,       ///< A·sin(2q + φ)
+  Gain,               ///< A·q
+  Gravity,            ///< in proportion to torques of weights about the joint's axis, the base's z axis pointing up
+  Drift,              ///< A·(place in the recording, −1 … 1): the zero moved while readings were taken
+  TemperatureOffset,  ///< A·(temperature − its mean): the zero moves with temperature
+  Expansion,          ///< all lengths of the arm grow with temperature
 };
 
 /// One question to the residuals, asked beside the fitted model: an F test of `columns` more coefficients.

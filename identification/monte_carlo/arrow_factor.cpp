@@ -56,7 +56,7 @@ ArrowFactor::Step ArrowFactor::solve(const Eigen::VectorXd& gradient) const {
 }
 
 // Forwards Rᵀy = gradient, |y| being the length asked for, and backwards Rδ = y.
-ArrowFactor::Step solve_arrow(const NumberLayout& layout, const std::vector<const EliminatedRows*>& rows,
+ArrowFactor::Step solve_arrow(const StateLayout& layout, const std::vector<const EliminatedRows*>& rows,
                               const Eigen::MatrixXd& arm_triangle, const Eigen::VectorXd& gradient) {
   ArrowFactor::Step step{gradient, 0.0};
   Eigen::VectorXd& y = step.numbers;

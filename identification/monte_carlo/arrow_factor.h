@@ -44,14 +44,14 @@ class ArrowFactor {
   [[nodiscard]] std::vector<Eigen::Index> positions_of(const Block& block) const;
   void index_rows();
 
-  NumberLayout layout_;
+  StateLayout layout_;
   std::vector<EliminatedRows> eliminated_;
   std::vector<int> rows_of_;  // of each position: which eliminated rows have it among their columns
   Eigen::MatrixXd arm_;       // upper triangular
 };
 
 /// The same for a factor in parts: `rows` in the order of their elimination, and the arm's upper triangle.
-ArrowFactor::Step solve_arrow(const NumberLayout& layout, const std::vector<const EliminatedRows*>& rows,
+ArrowFactor::Step solve_arrow(const StateLayout& layout, const std::vector<const EliminatedRows*>& rows,
                               const Eigen::MatrixXd& arm, const Eigen::VectorXd& gradient);
 
 }  // namespace artcal

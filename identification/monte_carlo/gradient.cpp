@@ -28,10 +28,10 @@ GradientScratch gradient_scratch(const System& system) {
   return scratch;
 }
 
-Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss, const NumberLayout& layout,
+Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss, const StateLayout& layout,
                          const Unknowns& unknowns, const Eigen::VectorXd& numbers, GradientScratch& scratch) {
   const Constraints& constraints = *system.constraints;
-  const auto sweeps = sweeps_of(system, system.arm_at(numbers.data() + layout.arm));
+  const auto kinematics_by_probe = forward_kinematics_of(system, system.arm_at(numbers.data() + layout.arm));
   const double* shared = numbers.data() + layout.common;
   const GroupReference none;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
@@ -54,7 +54,7 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
         const int count = std::min(readings_at_once, feature.size() - first);
         const Eigen::Index used = count * feature.dimension();
         weighted_rows(
-            system, feature, weights.features[f], sweeps, residual, first, count,
+            system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
             {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
              block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
         auto r = scratch.residuals.head(used);
@@ -87,7 +87,7 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
 }
 
 Eigen::VectorXd gradient(const Linearisation& linearisation) {
-  const NumberLayout& layout = linearisation.layout;
+  const StateLayout& layout = linearisation.layout;
   const Eigen::Index arm_size = layout.size - layout.arm;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout.size);
   for (const BlockRows& block : linearisation.blocks) {

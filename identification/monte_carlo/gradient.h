@@ -16,9 +16,9 @@ struct GradientScratch {
 };
 GradientScratch gradient_scratch(const System& system);
 
-/// Derivative of the cost ½Σρ by all numbers of a system (see NumberLayout), exact at these numbers: Jᵀr without
+/// Derivative of the cost ½Σρ by all numbers of a system (see StateLayout), exact at these numbers: Jᵀr without
 /// compressing J first, which takes the larger part of a linearisation's time. `unknowns` lends its references only.
-Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss, const NumberLayout& layout,
+Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss, const StateLayout& layout,
                          const Unknowns& unknowns, const Eigen::VectorXd& numbers, GradientScratch& scratch);
 
 /// The same from a linearisation at these numbers.

@@ -26,7 +26,7 @@ MonteCarlo::MonteCarlo(MonteCarlo&&) noexcept = default;
 MonteCarlo& MonteCarlo::operator=(MonteCarlo&&) noexcept = default;
 MonteCarlo::~MonteCarlo() = default;
 
-const std::vector<FollowedQuantity>& MonteCarlo::quantities() const { return maker_->quantities(); }
+const std::vector<Measurand>& MonteCarlo::quantities() const { return maker_->quantities(); }
 
 Expected<MonteCarlo> MonteCarlo::prepare(const Recording& recording, const Constraints& constraints,
                                          const IdentifyOptions& options, const Identification& identification,
@@ -56,7 +56,7 @@ Expected<MonteCarloCount> MonteCarlo::begin(std::int64_t first) const {
     if (converged < pilot_trials / 2) {
       return no_solution(fmt::format(
           "only {} of {} identifications from readings drawn anew converged, to an arm that measures: these readings "
-          "hardly determine the arm; hold the parameters that `artcal coupling` calls weak",
+          "hardly determine the arm; fix (--hold) the parameters that `artcal coupling` calls weak",
           converged, pilot_trials));
     }
     const double mean = sum / converged;
@@ -69,7 +69,7 @@ Expected<MonteCarloCount> MonteCarlo::begin(std::int64_t first) const {
 
 Expected<void> MonteCarlo::run(MonteCarloCount& count, const TrialsWanted& wanted, const MonteCarloWatch& watch) const {
   const auto stopped = [&] { return watch.stop != nullptr && watch.stop->load(); };
-  const std::int64_t last = wanted.number.value_or(count.first + most_trials);
+  const std::int64_t last = wanted.number.value_or(count.first + max_trials);
   while (count.end < last && !stopped()) {
     // Rounds end at the same trials whatever was done before, so that decisions do not depend on it.
     const std::int64_t round_end = std::min(last, (count.end / trials_a_round + 1) * trials_a_round);
@@ -107,14 +107,14 @@ Expected<void> MonteCarlo::run(MonteCarloCount& count, const TrialsWanted& wante
     }
     if (!wanted.number && count.end == round_end && !stopped()) {
       const auto results = summary(quantities(), count, wanted.digits);
-      if (std::all_of(results.begin(), results.end(), [](const auto& result) { return result.stands; })) {
+      if (std::all_of(results.begin(), results.end(), [](const auto& result) { return result.stable; })) {
         return {};
       }
     }
   }
   if (!wanted.number && !stopped()) {
     return no_solution(
-        fmt::format("{} trials do not make every quantity stand to {} digits; ask for a number of trials", most_trials,
+        fmt::format("{} trials do not make every quantity stable to {} digits; ask for a number of trials", max_trials,
                     wanted.digits));
   }
   return {};

@@ -27,7 +27,7 @@ struct TrialsWanted {
   std::optional<std::int64_t> number;  ///< up to this trial; else until `digits` stand (JCGM 101 §7.9)
   int digits = 2;                      ///< significant decimal digits of u, 1 or 2
 };
-inline constexpr std::int64_t most_trials = 100'000'000;
+inline constexpr std::int64_t max_trials = 100'000'000;
 
 /// How a run may be watched and stopped. The functions may be empty.
 struct MonteCarloWatch {
@@ -58,7 +58,7 @@ class MonteCarlo {
   MonteCarlo& operator=(MonteCarlo&&) noexcept;
   ~MonteCarlo();
 
-  [[nodiscard]] const std::vector<FollowedQuantity>& quantities() const;
+  [[nodiscard]] const std::vector<Measurand>& quantities() const;
 
   /// No trials yet, the next being `first`. The histograms are laid by 200 trials of a stream of their own.
   [[nodiscard]] Expected<MonteCarloCount> begin(std::int64_t first = 0) const;

@@ -11,12 +11,12 @@ constexpr double beyond_chance = 3.0;  // standard deviations that u has from th
 
 }  // namespace
 
-std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& quantities, const MonteCarloCount& count,
-                                        int digits) {
-  std::vector<PropagatedQuantity> all;
+std::vector<MonteCarloSummary> summary(const std::vector<Measurand>& quantities, const MonteCarloCount& count,
+                                       int digits) {
+  std::vector<MonteCarloSummary> all;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const Distribution& distribution = count.distributions[i];
-    PropagatedQuantity result;
+    MonteCarloSummary result;
     result.mean = distribution.mean();
     result.u = distribution.deviation();
     result.symmetric = distribution.symmetric(probability);
@@ -28,7 +28,7 @@ std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& qua
     result.tolerance_wanted = 0.5 * std::pow(10.0, l);
     result.tolerance = 2.0 * std::max({distribution.error_of_mean(), distribution.error_of_deviation(),
                                        low.value_or(0.0), high.value_or(0.0)});
-    result.stands = low && high && result.tolerance <= result.tolerance_wanted;
+    result.stable = low && high && result.tolerance <= result.tolerance_wanted;
     const auto& linear = quantities[i].u_linear;
     const double off = linear ? std::abs(result.u - *linear) : 0.0;
     result.differs_from_linear =

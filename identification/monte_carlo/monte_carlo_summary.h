@@ -9,7 +9,7 @@
 namespace artcal {
 
 /// What came out for one quantity.
-struct PropagatedQuantity {
+struct MonteCarloSummary {
   double mean = 0.0;
   double u = 0.0;
   std::optional<Interval> symmetric, shortest;  ///< 95 %; absent where an end lies beyond the histogram
@@ -17,12 +17,12 @@ struct PropagatedQuantity {
   /// from the number of trials.
   double tolerance = 0.0;
   double tolerance_wanted = 0.0;     ///< half of the last of the wanted digits of u
-  bool stands = false;               ///< tolerance ≤ tolerance_wanted
+  bool stable = false;               ///< tolerance ≤ tolerance_wanted
   bool differs_from_linear = false;  ///< u by more than a tenth of the first-order one, and beyond chance
 };
 
 /// REQUIRES: two trials or more.
-std::vector<PropagatedQuantity> summary(const std::vector<FollowedQuantity>& quantities, const MonteCarloCount& count,
-                                        int digits = 2);
+std::vector<MonteCarloSummary> summary(const std::vector<Measurand>& quantities, const MonteCarloCount& count,
+                                       int digits = 2);
 
 }  // namespace artcal

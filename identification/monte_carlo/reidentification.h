@@ -40,7 +40,7 @@ class Reidentification {
   const System* system_ = nullptr;
   const ArmFit* fit_ = nullptr;
   SolveOptions options_;
-  NumberLayout layout_;
+  StateLayout layout_;
   std::optional<ArrowFactor> factor_;
   Eigen::VectorXd start_;
 };

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int orientations = 5;
 constexpr int points_each = 5;
-constexpr int most_draws = 50;  // of one length, ball or articulation before it is given up
+constexpr int max_draws = 50;  // of one length, ball or articulation before it is given up
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<MeasuringPlan::Ball> draw_ball(const Arm& arm, const MeasuringRequest& request, RandomStream& random) {
@@ -28,7 +28,7 @@ std::optional<MeasuringPlan::Ball> draw_ball(const Arm& arm, const MeasuringRequ
   const Eigen::Matrix3d turn = random.rotation();
   const double radius = 0.5 * request.diameter + arm.probes[request.probe].radius;
   for (const Eigen::Vector3d& direction : iso_directions()) {
-    auto q = posture_at(arm, request.probe, ball.centre_in_base + radius * (turn * direction), random);
+    auto q = inverse_kinematics(arm, request.probe, ball.centre_in_base + radius * (turn * direction), random);
     if (!q) {
       return std::nullopt;
     }
@@ -44,14 +44,14 @@ std::optional<MeasuringPlan::Articulation> draw_articulation(const Arm& arm, con
   const Eigen::Vector3d centre = tip_at(arm, request.probe, random_posture(arm, random));
   const double radius = 0.5 * request.diameter + arm.probes[request.probe].radius;
   for (int orientation = 0; orientation < orientations; ++orientation) {
-    const auto start = posture_at(arm, request.probe, centre, random);
+    const auto start = inverse_kinematics(arm, request.probe, centre, random);
     const Eigen::Matrix3d turn = random.rotation();
     for (int i = 0; start && i < points_each; ++i) {
       const double round = 0.5 * std::numbers::pi * i;
       const double from_pole = i == 0 ? 0.0 : std::numbers::pi / 3.0;
       const Eigen::Vector3d direction(std::sin(from_pole) * std::cos(round), std::sin(from_pole) * std::sin(round),
                                       std::cos(from_pole));
-      auto q = reach_point(arm, request.probe, centre + radius * (turn * direction), *start);
+      auto q = reach_with_joints(arm, request.probe, centre + radius * (turn * direction), *start);
       if (!q) {
         return std::nullopt;
       }
@@ -64,7 +64,7 @@ std::optional<MeasuringPlan::Articulation> draw_articulation(const Arm& arm, con
 template <typename Draw>
 auto drawn_at_last(Draw draw) {
   auto found = draw();
-  for (int attempt = 1; !found && attempt < most_draws; ++attempt) {
+  for (int attempt = 1; !found && attempt < max_draws; ++attempt) {
     found = draw();
   }
   return found;
@@ -73,7 +73,7 @@ auto drawn_at_last(Draw draw) {
 Expected<void> add_asked_points(const Arm& arm, const MeasuringRequest& request, MeasuringPlan& plan) {
   RandomStream random(request.seed, "measuring: asked");
   for (const Eigen::Vector3d& place : request.points_in_base) {
-    auto q = posture_at(arm, request.probe, place, random);
+    auto q = inverse_kinematics(arm, request.probe, place, random);
     if (!q) {
       return bad_input(fmt::format("the arm does not reach the point ({:g}, {:g}, {:g}) mm of its base frame",
                                    place.x(), place.y(), place.z()));
@@ -95,8 +95,8 @@ void add_drawn_lengths(const Arm& arm, const MeasuringRequest& request, Measurin
     for (int i = 0; i < request.lengths; ++i) {
       const auto drawn = drawn_at_last([&]() -> std::optional<MeasuringPlan::Length> {
         const Eigen::VectorXd first = random_posture(arm, random);
-        auto second =
-            posture_at(arm, request.probe, tip_at(arm, request.probe, first) + length * random.direction(), random);
+        auto second = inverse_kinematics(arm, request.probe,
+                                         tip_at(arm, request.probe, first) + length * random.direction(), random);
         return second ? std::optional(MeasuringPlan::Length{"", {first, std::move(*second)}}) : std::nullopt;
       });
       if (drawn) {
@@ -152,8 +152,8 @@ Measuring::Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder
     joint_sines(posture.angles, posture.sines);
     return arm.tip(q);
   };
-  const auto add = [&](FollowedQuantity::Kind kind, std::string name, double value, std::optional<double> u) {
-    const bool is_error = kind == FollowedQuantity::Kind::EUni || kind == FollowedQuantity::Kind::PSize;
+  const auto add = [&](Measurand::Kind kind, std::string name, double value, std::optional<double> u) {
+    const bool is_error = kind == Measurand::Kind::EUni || kind == Measurand::Kind::PSize;
     quantities_.push_back({kind, std::move(name), "mm", is_error ? 0.0 : value, u});
     true_values_.push_back(is_error ? value : 0.0);
   };
@@ -161,15 +161,15 @@ Measuring::Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder
     const UncertainTip tip = keep(point.q);
     const Eigen::Matrix3d covariance = quiet.of_point(tip);
     for (int i = 0; i < 3; ++i) {
-      add(FollowedQuantity::Kind::Coordinate, point.name + " " + "xyz"[i], tip.in_base[i], std::sqrt(covariance(i, i)));
+      add(Measurand::Kind::Coordinate, point.name + " " + "xyz"[i], tip.in_base[i], std::sqrt(covariance(i, i)));
     }
   }
   for (const auto& length : plan_.lengths) {
     const UncertainTip first = keep(length.q[0]);
     const UncertainTip second = keep(length.q[1]);
     const double apart = (second.in_base - first.in_base).norm();
-    add(FollowedQuantity::Kind::Length, length.name, apart, quiet.of_length(first, second));
-    add(FollowedQuantity::Kind::EUni, length.name, apart, arm.of_length(first, second));
+    add(Measurand::Kind::Length, length.name, apart, quiet.of_length(first, second));
+    add(Measurand::Kind::EUni, length.name, apart, arm.of_length(first, second));
   }
   for (const auto& ball : plan_.balls) {
     std::vector<UncertainTip> tips;
@@ -177,22 +177,22 @@ Measuring::Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder
       tips.push_back(keep(q));
     }
     const double touched = (tips.front().in_base - ball.centre_in_base).norm();
-    add(FollowedQuantity::Kind::PSize, ball.name, 2.0 * (touched - arm.arm().probes[plan_.probe].radius),
+    add(Measurand::Kind::PSize, ball.name, 2.0 * (touched - arm.arm().probes[plan_.probe].radius),
         arm.of_diameter(tips, ball.centre_in_base));
   }
   for (const auto& articulation : plan_.articulations) {
     for (const auto& q : articulation.q) {
       keep(q);
     }
-    add(FollowedQuantity::Kind::LDia, articulation.name, 0.0, std::nullopt);
+    add(Measurand::Kind::LDia, articulation.name, 0.0, std::nullopt);
   }
 }
 
 void Measuring::measure(const Arm& arm, RandomStream& random, double* values) const {
   double* const first_value = values;
-  const Sweep sweep(arm, {}, plan_.probe);
+  const ForwardKinematics kinematics(arm, {}, plan_.probe);
   std::size_t next = 0;
-  const auto tip_of = [&](const Posture& posture) { return sweep.tip_in_base({posture.sines, posture.angles}); };
+  const auto tip_of = [&](const Posture& posture) { return kinematics.tip_in_base({posture.sines, posture.angles}); };
   const auto exact = [&] { return tip_of(postures_[next++]); };
   Posture noisy;
   const auto read = [&] {
@@ -219,7 +219,7 @@ void Measuring::measure(const Arm& arm, RandomStream& random, double* values) co
       tip = read();
     }
     const auto sphere = fit<Sphere>(tips);
-    *values++ = sphere ? 2.0 * (sphere->feature.radius - sweep.tip_radius()) : no_number;
+    *values++ = sphere ? 2.0 * (sphere->feature.radius - kinematics.tip_radius()) : no_number;
   }
   for (std::size_t i = 0; i < plan_.articulations.size(); ++i) {
     Eigen::Matrix3Xd centres(3, orientations);

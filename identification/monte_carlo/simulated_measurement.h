@@ -60,7 +60,7 @@ struct MeasuringRequest {
 Expected<MeasuringPlan> plan_measuring(const Arm& arm, const MeasuringRequest& request);
 
 /// A number that a Monte Carlo follows.
-struct FollowedQuantity {
+struct Measurand {
   enum class Kind {
     Parameter,
     Coordinate,  ///< of a point in the base frame, without the noise of reading it
@@ -82,14 +82,14 @@ class Measuring {
  public:
   Measuring(MeasuringPlan plan, const UncertainArm& arm, double encoder, double probing);
 
-  [[nodiscard]] const std::vector<FollowedQuantity>& quantities() const { return quantities_; }
+  [[nodiscard]] const std::vector<Measurand>& quantities() const { return quantities_; }
   /// The quantities' values as `arm` has them, its readings with noise from `random`; in order of quantities(). Not a
   /// number where a sphere cannot be fitted.
   void measure(const Arm& arm, RandomStream& random, double* values) const;
 
  private:
   MeasuringPlan plan_;
-  std::vector<FollowedQuantity> quantities_;
+  std::vector<Measurand> quantities_;
   std::vector<double> true_values_;  // that are taken off, a quantity each
   double encoder_, probing_;
   // Of all postures: points, both ends of lengths, balls, articulations.

@@ -40,7 +40,7 @@ void TrialInputs::draw(std::uint64_t seed, std::uint64_t trial) {
 
 void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
   RandomStream random(seed, "trial: readings", trial);
-  double factor = spread_.enlargement;
+  double factor = spread_.scale_factor;
   if (spread_.degrees_of_freedom) {
     // Away from the very ends, where a quantile is not finite.
     const double p = std::clamp(random.uniform(), 1e-12, 1.0 - 1e-12);
@@ -61,7 +61,7 @@ void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
     FeatureConstraint& feature = constraints_.features[f];
     if (feature.u > 0.0) {
       const FeatureConstraint& read = base_.constraints->features[f];
-      const double u = spread_.enlargement * feature.u;
+      const double u = spread_.scale_factor * feature.u;
       for (std::size_t k = 0; k < feature.distances.size(); ++k) {
         feature.distances[k] = read.distances[k] + u * random.normal();
       }
@@ -75,45 +75,46 @@ void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
 void TrialInputs::draw_certificates(std::uint64_t seed, std::uint64_t trial) {
   const Constraints& stated = *base_.constraints;
   RandomStream random(seed, "trial: certificates", trial);
-  const double enlargement = spread_.enlargement;
+  const double scale_factor = spread_.scale_factor;
   for (std::size_t s = 0; s < stated.shared.size(); ++s) {
-    constraints_.shared[s].certified = stated.shared[s].certified + enlargement * stated.shared[s].u * random.normal();
+    constraints_.shared[s].certified = stated.shared[s].certified + scale_factor * stated.shared[s].u * random.normal();
   }
   std::vector<double> expansion;
   for (const Artefact& artefact : stated.artefacts) {
-    expansion.push_back(artefact.expansion + enlargement * artefact.u_expansion * random.normal());
+    expansion.push_back(artefact.expansion + scale_factor * artefact.u_expansion * random.normal());
   }
   std::vector<double> errors;  // of certified distances at the reference temperature, mm
   for (const Artefact& artefact : stated.artefacts) {
     for (const CertifiedDistance& distance : artefact.distances) {
-      errors.push_back(enlargement * distance.u * random.normal());
+      errors.push_back(scale_factor * distance.u * random.normal());
     }
   }
   std::map<Place, double> temperature_errors;
-  std::vector<double> growth(stated.features.size());  // drawn length / stated length, of each feature's placement
+  std::vector<double> expansion_factor(
+      stated.features.size());  // drawn length / stated length, of each feature's placement
   for (std::size_t f = 0; f < stated.features.size(); ++f) {
     const FeatureConstraint& before = stated.features[f];
     const auto [entry, is_new] = temperature_errors.try_emplace(place_of(before), 0.0);
     if (is_new) {
-      entry->second = enlargement * spread_.temperature * random.normal();
+      entry->second = scale_factor * spread_.temperature * random.normal();
     }
     const double factor = 1.0 + expansion[before.artefact] * (above_reference_[f] + entry->second);
-    growth[f] = factor / before.expansion;
+    expansion_factor[f] = factor / before.expansion;
     FeatureConstraint& feature = constraints_.features[f];
     feature.expansion = factor;
-    feature.radius = growth[f] * before.radius;
-    feature.height = growth[f] * before.height;
+    feature.radius = expansion_factor[f] * before.radius;
+    feature.height = expansion_factor[f] * before.height;
     const bool by_another_instrument =
         stated.artefacts[before.artefact].features[before.feature].kind == FeatureKind::Coordinates;
     for (std::size_t k = 0; !by_another_instrument && k < before.known.size(); ++k) {
-      feature.known[k] = growth[f] * before.known[k];
+      feature.known[k] = expansion_factor[f] * before.known[k];
     }
   }
   for (std::size_t d = 0; d < stated.distances.size(); ++d) {
     const DistanceConstraint& before = stated.distances[d];
     const double factor = constraints_.features[before.first].expansion;
-    constraints_.distances[d].value =
-        growth[before.first] * before.value + (certificates_[d] < 0 ? 0.0 : factor * errors[certificates_[d]]);
+    constraints_.distances[d].value = expansion_factor[before.first] * before.value +
+                                      (certificates_[d] < 0 ? 0.0 : factor * errors[certificates_[d]]);
   }
 }
 
@@ -123,7 +124,7 @@ void TrialInputs::draw_arm_temperatures(std::uint64_t seed, std::uint64_t trial)
   for (const FeatureConstraint& feature : constraints_.features) {
     const auto [entry, is_new] = errors.try_emplace(feature.placement, 0.0);
     if (is_new) {
-      entry->second = spread_.enlargement * spread_.arm_temperature * random.normal();
+      entry->second = spread_.scale_factor * spread_.arm_temperature * random.normal();
     }
     for (const int reading : feature.readings) {
       const auto k = static_cast<std::size_t>(reading);

@@ -15,7 +15,7 @@ struct InputSpread {
   double probing = 0.0;          ///< of each coordinate of the tip, mm
   double temperature = 0.0;      ///< of an artefact's temperature in a placement, K
   double arm_temperature = 0.0;  ///< of the arm's in a placement, K
-  double enlargement = 1.0;      ///< factor on all of them and on those of the certificates
+  double scale_factor = 1.0;     ///< factor on all of them and on those of the certificates
   /// Where the noise was estimated from residuals: their degrees of freedom. Each trial then draws what the noise may
   /// be as well, so that what comes out is t-distributed (JCGM 101 §6.4.9).
   std::optional<int> degrees_of_freedom;

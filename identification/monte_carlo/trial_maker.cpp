@@ -25,7 +25,7 @@ InputSpread spread_of(const Noise& noise, const Identification& identification, 
   spread.probing = noise.reading ? *noise.reading : *noise.probing;
   spread.temperature = monte_carlo.u_temperature;
   spread.arm_temperature = monte_carlo.u_arm_temperature;
-  spread.enlargement = identification.enlargement;
+  spread.scale_factor = identification.scale_factor;
   if (!identification.noise_is_given) {
     spread.degrees_of_freedom = identification.degrees_of_freedom;
   }
@@ -79,8 +79,8 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
   if (!plan) {
     return tl::unexpected(plan.error());
   }
-  const double encoder = maker->spread_.enlargement * maker->spread_.encoder;
-  const double probing = maker->spread_.enlargement * maker->spread_.probing;
+  const double encoder = maker->spread_.scale_factor * maker->spread_.encoder;
+  const double probing = maker->spread_.scale_factor * maker->spread_.probing;
   // The trials take the model as true, and so must what they are compared with.
   const double unmodelled = identification.cross_validation.scale;
   const UncertainArm uncertain(
@@ -88,7 +88,7 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
   maker->measuring_.emplace(std::move(*plan), uncertain, encoder, probing);
   for (const int index : identification.free) {
     const IdentifiedParameter& known = identification.parameters[index];
-    maker->quantities_.push_back({FollowedQuantity::Kind::Parameter, known.parameter.name, known.parameter.unit(),
+    maker->quantities_.push_back({Measurand::Kind::Parameter, known.parameter.name, known.parameter.unit(),
                                   value(maker->fit_.arm, known.parameter), known.u / unmodelled});
   }
   const auto& measured = maker->measuring_->quantities();

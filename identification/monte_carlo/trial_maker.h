@@ -26,7 +26,7 @@ class TrialMaker {
   TrialMaker& operator=(const TrialMaker&) = delete;
 
   /// The identified parameters, then what is measured.
-  [[nodiscard]] const std::vector<FollowedQuantity>& quantities() const { return quantities_; }
+  [[nodiscard]] const std::vector<Measurand>& quantities() const { return quantities_; }
   /// Of a quantity: what moves the tip by some 1 mm, in its unit.
   [[nodiscard]] double natural_unit(std::size_t quantity) const;
 
@@ -48,7 +48,7 @@ class TrialMaker {
   InputSpread spread_;
   std::optional<Reidentification> again_;
   std::optional<Measuring> measuring_;
-  std::vector<FollowedQuantity> quantities_;
+  std::vector<Measurand> quantities_;
 };
 
 }  // namespace artcal

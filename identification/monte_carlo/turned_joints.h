@@ -8,7 +8,7 @@
 namespace artcal {
 
 /// Joints that each read something else by a normal draw of `deviation`, rad: their angles, and by the same draws sines
-/// and cosines (JointSines). `sines` holds two numbers for each of `angles`.
+/// and cosines (JointReading). `sines` holds two numbers for each of `angles`.
 inline void turn_joints(std::vector<double>& angles, std::vector<double>& sines, double deviation,
                         RandomStream& random) {
   for (std::size_t i = 0; i < angles.size(); ++i) {

@@ -37,8 +37,9 @@ Places places_of(const Constraints& constraints) {
 }
 
 // The rows of every reading of one feature.
-void add_readings(const System& system, const FeatureWeights& weights, const std::vector<Sweep>& sweeps,
-                  const Unknowns& unknowns, int index, int first_column, PossiblePlacement& placement) {
+void add_readings(const System& system, const FeatureWeights& weights,
+                  const std::vector<ForwardKinematics>& kinematics_by_probe, const Unknowns& unknowns, int index,
+                  int first_column, PossiblePlacement& placement) {
   const FeatureConstraint& feature = system.constraints->features[index];
   const GroupState none;
   const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
@@ -46,7 +47,7 @@ void add_readings(const System& system, const FeatureWeights& weights, const std
   const int columns = placement.unknowns + system.shared_size() + system.arm_size();
   for (int k = 0; k < feature.size(); ++k) {
     RowMatrix rows = RowMatrix::Zero(feature.dimension(), columns + 1);
-    weighted_rows(system, feature, weights, sweeps, residual, k, 1,
+    weighted_rows(system, feature, weights, kinematics_by_probe, residual, k, 1,
                   {rows.cols(), rows.data() + columns, rows.data() + placement.unknowns + system.shared_size(),
                    feature.group < 0 ? nullptr : rows.data() + first_column,
                    system.shared_size() > 0 ? rows.data() + placement.unknowns : nullptr});
@@ -89,16 +90,16 @@ Expected<DesignPool> design_pool(const Recording& possible, const Constraints& c
   DesignPool pool;
   pool.system = make_system(possible, constraints, arm, free);
   pool.shared = pool.system.shared_size();
-  const auto unknowns = settle(pool.system, arm, possible);
+  const auto unknowns = estimate_nuisance_parameters(pool.system, arm, possible);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
   const Weights weights = first_weights(pool.system, arm, *unknowns, noise);
-  const auto sweeps = sweeps_of(pool.system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(pool.system, arm);
   Places places = places_of(constraints);
   for (int f = 0; f < static_cast<int>(constraints.features.size()); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    add_readings(pool.system, weights.features[f], sweeps, *unknowns, f,
+    add_readings(pool.system, weights.features[f], kinematics_by_probe, *unknowns, f,
                  feature.group < 0 ? 0 : places.of_group[feature.group],
                  places.placements[places.index.at(feature.placement)]);
   }
@@ -108,7 +109,7 @@ Expected<DesignPool> design_pool(const Recording& possible, const Constraints& c
   return pool;
 }
 
-Eigen::MatrixXd told_by(const PossiblePlacement& placement, const std::vector<int>& chosen, int common) {
+Eigen::MatrixXd information_of(const PossiblePlacement& placement, const std::vector<int>& chosen, int common) {
   TriangularFactor factor(placement.unknowns + common);
   if (placement.certified.rows() > 0) {
     factor.add(placement.certified);

@@ -43,7 +43,7 @@ Expected<DesignPool> design_pool(const Recording& possible, const Constraints& c
 
 /// What reading `chosen` (into PossiblePlacement::readings) of a placement tells of the common columns, its own
 /// unknowns eliminated: a triangle.
-Eigen::MatrixXd told_by(const PossiblePlacement& placement, const std::vector<int>& chosen, int common);
+Eigen::MatrixXd information_of(const PossiblePlacement& placement, const std::vector<int>& chosen, int common);
 
 /// The triangle of both.
 Eigen::MatrixXd together(const Eigen::MatrixXd& triangle, const Eigen::MatrixXd& more);

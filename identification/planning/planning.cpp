@@ -73,7 +73,7 @@ PossiblePlacement thinned(PossiblePlacement placement, int count) {
 Expected<Eigen::MatrixXd> told_by_measured(const Recording& measured, const Constraints& constraints, const Arm& arm,
                                            const DesignPool& pool, const Noise& noise) {
   const System system = make_system(measured, constraints, arm, pool.system.free);
-  const auto unknowns = settle(system, arm, measured);
+  const auto unknowns = estimate_nuisance_parameters(system, arm, measured);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }
@@ -92,7 +92,7 @@ class Planner {
       : pool_(pool),
         options_(options),
         chosen_by_(test_lengths(arm, pool, options.noise, options.test_lengths, options.seed)),
-        told_by_(test_lengths(arm, pool, options.noise, 10 * options.test_lengths, options.seed + 1)) {}
+        information_of_(test_lengths(arm, pool, options.noise, 10 * options.test_lengths, options.seed + 1)) {}
 
   // Placements with all their readings at reduced weight, then, by turns, the readings of every placement beside those
   // chosen, and placements with these readings: what came out best.
@@ -101,7 +101,7 @@ class Planner {
     std::vector<Readings> readings;
     RandomStream random(options_.seed, "readings");
     for (const PossiblePlacement& placement : pool_.placements) {
-      told.push_back(told_by(thinned(placement, options_.readings), all_of(placement), pool_.common()));
+      told.push_back(information_of(thinned(placement, options_.readings), all_of(placement), pool_.common()));
       readings.push_back(some_of(placement, options_.readings, random));
     }
     std::vector<Taken> best;
@@ -121,7 +121,7 @@ class Planner {
       for (int p = 0; p < static_cast<int>(pool_.placements.size()) && round + 1 < rounds; ++p) {
         const auto at = static_cast<std::size_t>(p);
         exchange_readings(pool_.placements[at], with(known, chosen, p), chosen_by_, options_.goal, readings[at]);
-        told[at] = told_by(pool_.placements[at], readings[at], pool_.common());
+        told[at] = information_of(pool_.placements[at], readings[at], pool_.common());
       }
     }
     return best;
@@ -141,9 +141,9 @@ class Planner {
         left.erase(left.begin() + at);
         drawn.push_back({p, some_of(pool_.placements[static_cast<std::size_t>(p)], options_.readings, random)});
       }
-      const Eigen::VectorXd variances = variances_of(with(known, drawn), told_by_);
+      const Eigen::VectorXd variances = variances_of(with(known, drawn), information_of_);
       const PredictedU u = predicted_u(variances);
-      const PredictedU of_arm = predicted_u(variances - told_by_.of_noise);
+      const PredictedU of_arm = predicted_u(variances - information_of_.of_noise);
       worst.push_back(u.worst);
       mean.push_back(u.mean);
       arm_worst.push_back(of_arm.worst);
@@ -153,8 +153,8 @@ class Planner {
   }
 
   [[nodiscard]] Expectation expect(const Eigen::MatrixXd& triangle, int readings) const {
-    const Eigen::VectorXd variances = variances_of(triangle, told_by_);
-    return {predicted_u(variances), predicted_u(variances - told_by_.of_noise),
+    const Eigen::VectorXd variances = variances_of(triangle, information_of_);
+    return {predicted_u(variances), predicted_u(variances - information_of_.of_noise),
             observability_of(svd(eliminate_leading(triangle, pool_.shared)).values, std::max(1, readings))};
   }
 
@@ -162,8 +162,8 @@ class Planner {
   [[nodiscard]] Eigen::MatrixXd with(Eigen::MatrixXd known, const std::vector<Taken>& chosen, int but = -1) const {
     for (const Taken& taken : chosen) {
       if (taken.placement != but) {
-        known = together(known, told_by(pool_.placements[static_cast<std::size_t>(taken.placement)], taken.readings,
-                                        pool_.common()));
+        known = together(known, information_of(pool_.placements[static_cast<std::size_t>(taken.placement)],
+                                               taken.readings, pool_.common()));
       }
     }
     return known;
@@ -183,7 +183,7 @@ class Planner {
   const DesignPool& pool_;
   const PlanningOptions& options_;
   TestLengths chosen_by_;
-  TestLengths told_by_;
+  TestLengths information_of_;
 };
 
 int candidate_of(const Simulation& possible, int placement) {
@@ -211,9 +211,10 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
   if (!coupling) {
     return tl::unexpected(coupling.error());
   }
-  if (coupling->scale == ScaleState::Lost) {
+  if (coupling->scale == ScaleState::Unidentifiable) {
     return no_solution(
-        "no calibrated length is in what could be read, so that no choice tells the scale of the arm; plan with a ball "
+        "no calibrated length is in what could be read, so that no choice determines the scale of the arm; plan with a "
+        "ball "
         "bar, a plate, or anything else with certified distances");
   }
   const auto free = free_parameters(*selection, *coupling);

@@ -12,10 +12,10 @@
 namespace artcal {
 namespace {
 
-Error scale_is_lost() {
+Error scale_is_unidentifiable() {
   return {
       ErrorCode::NoSolution,
-      "no calibrated length is in these readings, so the scale of the arm cannot be told: all lengths could grow "
+      "no calibrated length is in these readings, so the scale of the arm is not identifiable: all lengths could grow "
       "together and every reading would still fit. Measure a certified length as well: a ball bar or a bar with two "
       "seats or parallel faces (at least one distance with its U), balls of known diameter, or points of known "
       "coordinates",
@@ -46,15 +46,15 @@ Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Re
   if (!analysis) {
     return tl::unexpected(analysis.error());
   }
-  if (analysis->coupling.scale == ScaleState::Lost) {
-    return tl::unexpected(scale_is_lost());
+  if (analysis->coupling.scale == ScaleState::Unidentifiable) {
+    return tl::unexpected(scale_is_unidentifiable());
   }
   auto free = free_parameters(selection, analysis->coupling);
   if (!free) {
     return tl::unexpected(free.error());
   }
   if (free->empty()) {
-    return no_solution("nothing is left to identify: every parameter is held or lost");
+    return no_solution("nothing is left to identify: every parameter is fixed or unidentifiable");
   }
   Preparation preparation{nominal, std::move(analysis->coupling), std::move(*free), {}};
   const auto& asked = preparation.coupling.parameters;

@@ -21,7 +21,7 @@ struct Preparation {
 
 /// The start after an initial alignment, and of the parameters asked for those that these readings determine there.
 /// Usage: a model that makes no sense for this arm, or names that it does not have. No solution: the alignment failed,
-/// the scale is lost, or nothing is left to identify; see also analyse() and arm_with_fitted_tips().
+/// the scale is unidentifiable, or nothing is left to identify; see also analyse() and arm_with_fitted_tips().
 /// The alignment begins at the nominal arm, or at `from`.
 Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
                               const IdentifyOptions& options, Alignment alignment, const Arm* from = nullptr);

@@ -15,11 +15,11 @@ namespace {
 // Below this σ/σ1 the readings hardly show some direction of the tip.
 constexpr double shown_well = 1e-3;
 
-std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>& held) {
+std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>& fixed) {
   std::vector<Parameter> tips;
   for (const Parameter& parameter : parameters_of(arm)) {
     if (parameter.is_tip() && !arm.probes[parameter.owner].on_axis &&
-        std::find(held.begin(), held.end(), parameter.name) == held.end()) {
+        std::find(fixed.begin(), fixed.end(), parameter.name) == fixed.end()) {
       tips.push_back(parameter);
     }
   }
@@ -29,13 +29,13 @@ std::vector<Parameter> rough_tips(const Arm& arm, const std::vector<std::string>
 }  // namespace
 
 Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints& constraints, const Arm& nominal,
-                                   const std::vector<std::string>& held) {
-  const auto tips = rough_tips(nominal, held);
+                                   const std::vector<std::string>& fixed) {
+  const auto tips = rough_tips(nominal, fixed);
   if (tips.empty()) {
     return nominal;
   }
   const System system = make_system(recording, constraints, nominal, tips);
-  auto unknowns = settle(system, nominal, recording);
+  auto unknowns = estimate_nuisance_parameters(system, nominal, recording);
   if (!unknowns) {
     return tl::unexpected(unknowns.error());
   }

@@ -32,12 +32,12 @@ System make_system(const Recording& recording, const Constraints& constraints, c
   return system;
 }
 
-std::vector<Sweep> sweeps_of(const System& system, const Arm& arm) {
-  std::vector<Sweep> sweeps;
+std::vector<ForwardKinematics> forward_kinematics_of(const System& system, const Arm& arm) {
+  std::vector<ForwardKinematics> kinematics_by_probe;
   for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
-    sweeps.emplace_back(arm, system.free, probe);
+    kinematics_by_probe.emplace_back(arm, system.free, probe);
   }
-  return sweeps;
+  return kinematics_by_probe;
 }
 
 }  // namespace artcal

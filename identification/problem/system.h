@@ -37,7 +37,7 @@ struct Unknowns {
 };
 
 /// What a residual is worth. A reading's residual is multiplied by `scalar`, or, where its noise differs by
-/// direction, by the lower triangular `matrix` (only for Demand::Coincide, in the residual's own frame).
+/// direction, by the lower triangular `matrix` (only for ConstraintKind::Coincide, in the residual's own frame).
 struct FeatureWeights {
   std::vector<double> scalar;
   std::vector<Eigen::Matrix3d> matrix;
@@ -68,7 +68,7 @@ struct System {
 
   [[nodiscard]] int arm_size() const { return static_cast<int>(free.size()); }
   [[nodiscard]] int shared_size() const { return static_cast<int>(constraints->shared.size()); }
-  [[nodiscard]] JointSines sines_of(int reading) const {
+  [[nodiscard]] JointReading sines_of(int reading) const {
     const std::size_t width = start.joints.size();
     const std::size_t first = width * static_cast<std::size_t>(reading);
     return {{sines.data() + 2 * first, 2 * width},
@@ -82,7 +82,7 @@ struct System {
 System make_system(const Recording& recording, const Constraints& constraints, const Arm& start,
                    std::vector<Parameter> free, double angle_scale = 0.0);
 
-/// A sweep for every probe of an arm, with the free parameters as columns.
-std::vector<Sweep> sweeps_of(const System& system, const Arm& arm);
+/// A pass for every probe of an arm, with the free parameters as columns.
+std::vector<ForwardKinematics> forward_kinematics_of(const System& system, const Arm& arm);
 
 }  // namespace artcal

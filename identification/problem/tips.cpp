@@ -4,43 +4,45 @@ namespace artcal {
 namespace {
 
 // A tip on the last axis lies along it from the joint before; others roughly so. It tells sides, no more.
-Eigen::Vector3d stylus_at(const Sweep& sweep, const JointSines& reading, int joints) {
+Eigen::Vector3d stylus_at(const ForwardKinematics& kinematics, const JointReading& reading, int joints) {
   Eigen::Matrix3Xd directions(3, joints);
   Eigen::Matrix3Xd points(3, joints);
-  const Eigen::Vector3d tip = sweep.axes_in_base(reading, directions.data(), points.data());
+  const Eigen::Vector3d tip = kinematics.axes_in_base(reading, directions.data(), points.data());
   return (tip - points.rightCols<1>()).normalized();
 }
 
 }  // namespace
 
-Tips tips_of(const System& system, const FeatureConstraint& feature, const std::vector<Sweep>& sweeps) {
+Tips tips_of(const System& system, const FeatureConstraint& feature,
+             const std::vector<ForwardKinematics>& kinematics_by_probe) {
   Tips tips{&feature, Eigen::Matrix3Xd(3, feature.size()), Eigen::VectorXd(feature.size()), {}};
-  const bool has_side = feature.demand == Demand::OnPlane && feature.location == Location::Unknown;
+  const bool has_side = feature.kind == ConstraintKind::OnPlane && feature.location == Location::Unknown;
   tips.styluses.resize(3, has_side ? feature.size() : 0);
   for (int k = 0; k < feature.size(); ++k) {
     const int reading = feature.readings[k];
-    const Sweep& sweep = sweeps[system.probes[reading]];
-    tips.centres.col(k) = sweep.tip_in_base(system.sines_of(reading));
-    tips.radii[k] = sweep.tip_radius();
+    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
+    tips.centres.col(k) = kinematics.tip_in_base(system.sines_of(reading));
+    tips.radii[k] = kinematics.tip_radius();
     if (has_side) {
-      tips.styluses.col(k) = stylus_at(sweep, system.sines_of(reading), static_cast<int>(system.start.joints.size()));
+      tips.styluses.col(k) =
+          stylus_at(kinematics, system.sines_of(reading), static_cast<int>(system.start.joints.size()));
     }
   }
   return tips;
 }
 
 std::vector<Tips> all_tips(const System& system, const Arm& arm) {
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   std::vector<Tips> tips;
   for (const FeatureConstraint& feature : system.constraints->features) {
-    tips.push_back(tips_of(system, feature, sweeps));
+    tips.push_back(tips_of(system, feature, kinematics_by_probe));
   }
   return tips;
 }
 
 Eigen::VectorXd distances_from_centre(const Tips& tips, const Eigen::VectorXd& shared) {
   const FeatureConstraint& feature = *tips.feature;
-  if (feature.demand == Demand::AtDistance) {
+  if (feature.kind == ConstraintKind::AtDistance) {
     return Eigen::VectorXd::Map(feature.distances.data(), feature.size());
   }
   const double radius = feature.shared_radius >= 0 ? feature.expansion * shared[feature.shared_radius] : feature.radius;

@@ -16,7 +16,8 @@ struct Tips {
   Eigen::Matrix3Xd styluses;  ///< of unknown planes only: unit vectors from the last joint's axis to the tip
 };
 
-Tips tips_of(const System& system, const FeatureConstraint& feature, const std::vector<Sweep>& sweeps);
+Tips tips_of(const System& system, const FeatureConstraint& feature,
+             const std::vector<ForwardKinematics>& kinematics_by_probe);
 
 /// Of all features, as Constraints::features.
 std::vector<Tips> all_tips(const System& system, const Arm& arm);

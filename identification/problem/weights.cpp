@@ -72,7 +72,7 @@ Weights uniform_weights(const Constraints& constraints, double sigma) {
 Weights posture_weights(const System& system, const Arm& arm, const Unknowns& unknowns, double encoder,
                         double probing) {
   const Constraints& constraints = *system.constraints;
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   Weights weights;
   weights.distances = distance_weights(constraints);
   weights.shared = shared_weights(constraints);
@@ -84,9 +84,9 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
     FeatureWeights& out = weights.features.emplace_back();
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
-      const Sweep& sweep = sweeps[system.probes[reading]];
-      const Eigen::Vector3d tip = sweep.tip_by_joints(system.sines_of(reading), by_joints.data());
-      const Residual r = residual.at(k, tip, sweep.tip_radius(), true);
+      const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
+      const Eigen::Vector3d tip = kinematics.tip_by_joints(system.sines_of(reading), by_joints.data());
+      const Residual r = residual.at(k, tip, kinematics.tip_radius(), true);
       const Eigen::Matrix3d tip_covariance =
           probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();
       const auto slope = r.by_tip.topRows(r.rows);

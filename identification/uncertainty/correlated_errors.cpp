@@ -10,7 +10,7 @@ namespace artcal {
 namespace {
 
 /// Answers to one error that several distances share: of the shared numbers, then the arm's.
-class SharedError {
+class ArtefactParameterError {
  public:
   void add(const Eigen::VectorXd& answer, Eigen::Index arm_size) {
     const auto arm = answer.tail(arm_size);
@@ -48,9 +48,10 @@ std::vector<const CertifiedDistance*> all_certified(const Constraints& constrain
 
 }  // namespace
 
-Expected<CommonErrors> common_errors(const System& system, const ArmFit& fit, const Recording& recording) {
+Expected<CommonErrors> correlated_certificate_errors(const System& system, const ArmFit& fit,
+                                                     const Recording& recording) {
   const Constraints& constraints = *system.constraints;
-  const NumberLayout layout = layout_of(constraints, system.arm_size());
+  const StateLayout layout = layout_of(constraints, system.arm_size());
   const int common = system.shared_size() + system.arm_size();
   CommonErrors lacking{Eigen::VectorXd::Zero(system.shared_size()),
                        Eigen::MatrixXd::Zero(system.arm_size(), system.arm_size())};
@@ -66,8 +67,8 @@ Expected<CommonErrors> common_errors(const System& system, const ArmFit& fit, co
   const auto certificates = certified_distances(constraints);
   const auto certified = all_certified(constraints);
   const auto above = above_reference(constraints, recording);
-  std::map<int, SharedError> of_certificates;
-  std::map<int, SharedError> of_expansions;
+  std::map<int, ArtefactParameterError> of_certificates;
+  std::map<int, ArtefactParameterError> of_expansions;
   for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
     const DistanceConstraint& distance = constraints.distances[d];
     if (!distance.binds || certificates[d] < 0) {

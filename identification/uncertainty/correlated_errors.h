@@ -18,6 +18,7 @@ struct CommonErrors {
 /// one for all its lengths. With aₚ their answer to one standard deviation in placement p this is (Σ aₚ)(Σ aₚ)ᵀ − Σ
 /// aₚaₚᵀ, summed over all such errors (JCGM 100 §5.2.2, fully correlated inputs). `system` is make_system() at the arm
 /// of the fit. No solution: see ArrowFactor.
-Expected<CommonErrors> common_errors(const System& system, const ArmFit& fit, const Recording& recording);
+Expected<CommonErrors> correlated_certificate_errors(const System& system, const ArmFit& fit,
+                                                     const Recording& recording);
 
 }  // namespace artcal

@@ -54,14 +54,14 @@ std::size_t WhitenedResiduals::reading_count() const {
 WhitenedResiduals whitened_residuals(const System& system, const Weights& weights, const Arm& arm,
                                      const Unknowns& unknowns) {
   const Constraints& constraints = *system.constraints;
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const GroupState none;
   WhitenedResiduals residuals;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
     const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
     auto& out = residuals.readings.emplace_back(static_cast<std::size_t>(feature.size() * feature.dimension()));
-    weighted_rows(system, feature, weights.features[f], sweeps,
+    weighted_rows(system, feature, weights.features[f], kinematics_by_probe,
                   FeatureResidual(feature, group.reference, group.values.data(), unknowns.shared.data()), 0,
                   feature.size(), {1, out.data()});
   }

@@ -126,7 +126,7 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
   if (!all_count(counted)) {
     checking.set_squared(linearise(system, multiplied(weights, counted), Loss::None, arm, unknowns));
   }
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const auto blocks = blocks_of(constraints);
   const GroupState none;
   Redundancy redundancy;
@@ -145,7 +145,7 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
       for (int first = 0; first < feature.size(); first += readings_at_once) {
         const int count = std::min(readings_at_once, feature.size() - first);
         weighted_rows(
-            system, feature, weights.features[f], sweeps, residual, first, count,
+            system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
             {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
              block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
         checking.append(

@@ -9,7 +9,10 @@
 namespace artcal {
 
 UncertainArm::UncertainArm(Arm arm, UncertaintySources sources, int probe)
-    : arm_(std::move(arm)), sources_(std::move(sources)), probe_(probe), sweep_(arm_, sources_.parameters, probe) {}
+    : arm_(std::move(arm)),
+      sources_(std::move(sources)),
+      probe_(probe),
+      kinematics_(arm_, sources_.parameters, probe) {}
 
 UncertainArm UncertainArm::without_noise() const {
   return {arm_, {sources_.parameters, sources_.covariance, 0.0, 0.0}, probe_};
@@ -20,10 +23,10 @@ UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
   const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
   joint_sines(angles, sines);
   UncertainTip tip;
-  tip.by_parameter.resize(3, sweep_.column_count());
-  tip.by_joint.resize(3, sweep_.joint_count());
-  sweep_.tip_by_joints({sines, angles}, tip.by_joint.data());
-  tip.in_base = sweep_.tip_in_base({sines, angles}, tip.by_parameter.data());
+  tip.by_parameter.resize(3, kinematics_.column_count());
+  tip.by_joint.resize(3, kinematics_.joint_count());
+  kinematics_.tip_by_joints({sines, angles}, tip.by_joint.data());
+  tip.in_base = kinematics_.tip_in_base({sines, angles}, tip.by_parameter.data());
   return tip;
 }
 
@@ -67,8 +70,8 @@ double UncertainArm::of_diameter(std::span<const UncertainTip> tips, const Eigen
     gradients.emplace_back(2.0 * answer(3, k) * rows.row(k).head<3>().transpose());
   }
   Eigen::VectorXd by_parameter = Eigen::VectorXd::Zero(sources_.covariance.rows());
-  if (sweep_.radius_column() >= 0) {
-    by_parameter[sweep_.radius_column()] = -2.0;
+  if (kinematics_.radius_column() >= 0) {
+    by_parameter[kinematics_.radius_column()] = -2.0;
   }
   return of_combination(tips, gradients, std::move(by_parameter));
 }

@@ -62,7 +62,7 @@ class UncertainArm {
   Arm arm_;
   UncertaintySources sources_;
   int probe_;
-  Sweep sweep_;
+  ForwardKinematics kinematics_;
 };
 
 }  // namespace artcal

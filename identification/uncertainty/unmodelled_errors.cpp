@@ -56,7 +56,7 @@ class Predictor {
     const FeatureConstraint& feature = placement_.features[index];
     Combination combination{feature.readings, {}};
     const int count = feature.size();
-    if (feature.demand != Demand::OnBall && feature.demand != Demand::AtDistance) {
+    if (feature.kind != ConstraintKind::OnBall && feature.kind != ConstraintKind::AtDistance) {
       combination.gradients.assign(static_cast<std::size_t>(count), direction / count);
       return combination;
     }
@@ -104,7 +104,7 @@ class Predictor {
 };
 
 bool is_place(const FeatureConstraint& feature) {
-  return feature.demand == Demand::OnBall || feature.demand == Demand::Coincide;
+  return feature.kind == ConstraintKind::OnBall || feature.kind == ConstraintKind::Coincide;
 }
 
 void add_lengths(const Constraints& placement, const Evaluation& evaluation, const Predictor& predictor,
@@ -152,7 +152,7 @@ void add_coordinates(const Constraints& placement, const Evaluation& evaluation,
                      std::vector<CheckedPrediction>& predictions) {
   for (int f = 0; f < static_cast<int>(placement.features.size()); ++f) {
     const FeatureConstraint& feature = placement.features[f];
-    if (feature.location != Location::Base || feature.demand != Demand::Coincide) {
+    if (feature.location != Location::Base || feature.kind != ConstraintKind::Coincide) {
       continue;
     }
     for (int k = 0; k < feature.size(); ++k) {

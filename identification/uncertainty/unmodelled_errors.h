@@ -26,7 +26,7 @@ std::vector<CheckedPrediction> check_predictions(const Recording& recording, con
 CrossValidation cross_validate(const std::vector<LeftOut>& left_out, bool effects_found, Loss loss);
 
 /// What the readings of placements left out are off beyond the noise that is known, mm a coordinate: `noise` where it
-/// was stated, else 0, because noise and unmodelled error cannot be told apart then.
+/// was stated, else 0, because noise and unmodelled error cannot be distinguished then.
 double unmodelled_point_error(const std::vector<LeftOut>& left_out, double noise);
 
 /// With a point error the scale is at least the one that gives points in the working volume, without the noise of their

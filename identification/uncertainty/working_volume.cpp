@@ -15,7 +15,7 @@ namespace {
 
 std::optional<UncertainTip> tip_at(const UncertainArm& arm, const Eigen::Vector3d& place_in_base,
                                    RandomStream& random) {
-  const auto q = posture_at(arm.arm(), arm.probe(), place_in_base, random);
+  const auto q = inverse_kinematics(arm.arm(), arm.probe(), place_in_base, random);
   return q ? std::optional(arm.tip(*q)) : std::nullopt;
 }
 

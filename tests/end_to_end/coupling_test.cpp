@@ -20,9 +20,9 @@ TEST_F(CouplingCommand, TellsWhatARecordingCannot) {
   const Ended ended = run({"coupling", "two-socket-bar/recording.toml"});
   EXPECT_EQ(ended.exit_code, 0);
   EXPECT_THAT(ended.err, IsEmpty());
-  EXPECT_THAT(ended.out, HasSubstr("rank 25 of 31: 25 combinations can be told, 6 cannot"));
-  EXPECT_THAT(ended.out, HasSubstr("lz + d7 can be told, d7 alone cannot; d7 is held"));
-  EXPECT_THAT(ended.out, HasSubstr("Motions that no reading sees (mm and rad):"));
+  EXPECT_THAT(ended.out, HasSubstr("rank 25 of 31: 25 combinations are identifiable, 6 are not"));
+  EXPECT_THAT(ended.out, HasSubstr("lz + d7 is identifiable, d7 alone is not; d7 is fixed"));
+  EXPECT_THAT(ended.out, HasSubstr("Unidentifiable directions (mm and rad):"));
   EXPECT_THAT(ended.out, HasSubstr("singular values"));
 }
 
@@ -36,7 +36,7 @@ TEST_F(CouplingCommand, AnswersForRicherModels) {
     EXPECT_THAT(told.out, HasSubstr("rank " + std::to_string(rank + 30) + " of 55")) << kind;
   }
   const Ended tip = run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+tip"});
-  EXPECT_THAT(tip.out, HasSubstr("lx alone cannot; lx is held"));
+  EXPECT_THAT(tip.out, HasSubstr("lx alone is not; lx is fixed"));
   EXPECT_EQ(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+gravity"}).exit_code, 2);
   EXPECT_EQ(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "auto"}).exit_code, 2);
   EXPECT_THAT(run({"coupling", "gao2013/table1.toml", "--kind", "base", "--model", "dh+gains"}).err,
@@ -46,13 +46,13 @@ TEST_F(CouplingCommand, AnswersForRicherModels) {
 // Ranks of Table 1's arm: 25 parameters; what each kind of reading cannot see of them.
 TEST_F(CouplingCommand, KnowsEveryKindOfReading) {
   take("gao2013");
-  const std::vector<std::tuple<std::string, int, std::string>> kinds{{"base", 23, "scale: told"},
-                                                                     {"frame", 21, "scale: told"},
+  const std::vector<std::tuple<std::string, int, std::string>> kinds{{"base", 23, "scale: identifiable"},
+                                                                     {"frame", 21, "scale: identifiable"},
                                                                      {"point", 20, "scale: LOST"},
-                                                                     {"distance", 21, "scale: told"},
-                                                                     {"sphere", 21, "scale: told"},
-                                                                     {"length", 21, "scale: told"},
-                                                                     {"plate", 21, "scale: told"},
+                                                                     {"distance", 21, "scale: identifiable"},
+                                                                     {"sphere", 21, "scale: identifiable"},
+                                                                     {"length", 21, "scale: identifiable"},
+                                                                     {"plate", 21, "scale: identifiable"},
                                                                      {"plane", 20, "scale: LOST"},
                                                                      {"sphere-unknown-radius", 20, "scale: LOST"},
                                                                      {"plane-perpendicular", 18, "scale: LOST"}};

@@ -49,9 +49,9 @@ TEST_F(Identify, TellsATechnicianWhatCameOut) {
   EXPECT_THAT(ended.out, ContainsRegex("rms +3\\.1964 +0\\.2048 +0\\.2137"));
   EXPECT_THAT(ended.out, ContainsRegex("worst certified length, error +\\+1\\.6694"));
   EXPECT_THAT(ended.out, ContainsRegex("frontright +60 +3\\.2572"));
-  EXPECT_THAT(ended.out, ContainsRegex("d1 +mm +333\\.00000 +333\\.00000 +cannot be told"));
-  EXPECT_THAT(ended.out, HasSubstr("25 of 31 parameters can be told"));
-  EXPECT_THAT(ended.out, HasSubstr("lz + d7 can be told, d7 alone cannot; d7 is held"));
+  EXPECT_THAT(ended.out, ContainsRegex("d1 +mm +333\\.00000 +333\\.00000 +not identifiable"));
+  EXPECT_THAT(ended.out, HasSubstr("25 of 31 parameters are identifiable"));
+  EXPECT_THAT(ended.out, HasSubstr("lz + d7 is identifiable, d7 alone is not; d7 is fixed"));
   EXPECT_THAT(ended.out, HasSubstr("The identified arm was not written; add -o ARM.toml to keep it."));
   EXPECT_THAT(names(), ElementsAre("two-socket-bar")) << "nothing is left lying about";
 }

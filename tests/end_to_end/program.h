@@ -57,14 +57,14 @@ class ProgramTest : public ::testing::Test {
 
   /// Starts the program; its output goes to files beside the folder it runs in. No file that it writes may
   /// become larger than `most_bytes`, as if the disk were full; 0 is no limit.
-  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, rlim_t most_bytes = 0) const {
+  [[nodiscard]] pid_t start(const std::vector<std::string>& arguments, rlim_t max_bytes = 0) const {
     std::vector<std::string> all = arguments;
     all.insert(all.begin(), ARTCAL_PROGRAM);
-    return start_command(std::move(all), most_bytes);
+    return start_command(std::move(all), max_bytes);
   }
 
   /// Starts any command in the same way.
-  [[nodiscard]] pid_t start_command(std::vector<std::string> all, rlim_t most_bytes = 0) const {
+  [[nodiscard]] pid_t start_command(std::vector<std::string> all, rlim_t max_bytes = 0) const {
     std::vector<char*> pointers;
     std::transform(all.begin(), all.end(), std::back_inserter(pointers), [](std::string& text) { return text.data(); });
     pointers.push_back(nullptr);
@@ -76,8 +76,8 @@ class ProgramTest : public ::testing::Test {
       if (::chdir(work.c_str()) != 0 || !redirect(out, STDOUT_FILENO) || !redirect(err, STDERR_FILENO)) {
         ::_exit(126);
       }
-      if (most_bytes > 0) {
-        const rlimit limit{most_bytes, most_bytes};
+      if (max_bytes > 0) {
+        const rlimit limit{max_bytes, max_bytes};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         ::signal(SIGXFSZ, SIG_IGN);
       }

@@ -79,8 +79,8 @@ TEST_F(Report, HasTheNumbersOfTheResult) {
       shows(parameter["identified"], ">{:.5f}<");
     }
   }
-  for (const Json& lost : result["coupling"]["lost"]) {
-    EXPECT_THAT(page, HasSubstr(lost["text"].get<std::string>()));
+  for (const Json& unidentifiable : result["coupling"]["lost"]) {
+    EXPECT_THAT(page, HasSubstr(unidentifiable["text"].get<std::string>()));
   }
   for (const Json& input : result["inputs"]) {
     EXPECT_THAT(page, HasSubstr(input["sha256"].get<std::string>()));
@@ -98,7 +98,7 @@ TEST_F(Report, PrintsOnA4) {
   EXPECT_LE(std::stoi(pages[1]), 10);
   const std::string text = printed_text();
   EXPECT_THAT(text, HasSubstr("Identified, with reservations"));
-  EXPECT_THAT(text, HasSubstr("lz + d7 can be told, d7 alone cannot; d7 is held"));
+  EXPECT_THAT(text, HasSubstr("lz + d7 is identifiable, d7 alone is not; d7 is fixed"));
   EXPECT_THAT(text, HasSubstr("1/" + pages[1].str()));
 }
 

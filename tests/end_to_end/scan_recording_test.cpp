@@ -84,7 +84,7 @@ TEST_F(ScanRecording, VerificationTakesTheArmThatScannedForAGoodOneAndTheNominal
                                      "--specification", "scans/specification.toml", "--json",     "-"};
     command.insert(command.end(), arm.begin(), arm.end());
     const Ended ended = run(command);
-    EXPECT_EQ(ended.exit_code, 1) << ended.err;  // without a plan, whether it is enough is not told
+    EXPECT_EQ(ended.exit_code, 1) << ended.err;  // without a plan, whether it is enough is not determined
     return nlohmann::json::parse(ended.out);
   };
   const auto by_truth = lengths({"--arm", "truth.toml"});

@@ -14,7 +14,7 @@ Plane settled(Plane f, const Plane& truth) {
   return f;
 }
 template <typename Axial>
-Axial settled_axis(Axial f, const Axial& truth) {
+Axial converged_axis(Axial f, const Axial& truth) {
   const double along = truth.direction.dot(truth.point - f.point) / truth.direction.dot(f.direction);
   f.point += along * f.direction;
   if constexpr (std::is_same_v<Axial, Cone>) {
@@ -22,9 +22,9 @@ Axial settled_axis(Axial f, const Axial& truth) {
   }
   return f;
 }
-Line settled(const Line& f, const Line& truth) { return settled_axis(f, truth); }
-Cylinder settled(const Cylinder& f, const Cylinder& truth) { return settled_axis(f, truth); }
-Cone settled(const Cone& f, const Cone& truth) { return settled_axis(f, truth); }
+Line settled(const Line& f, const Line& truth) { return converged_axis(f, truth); }
+Cylinder settled(const Cylinder& f, const Cylinder& truth) { return converged_axis(f, truth); }
+Cone settled(const Cone& f, const Cone& truth) { return converged_axis(f, truth); }
 Circle settled(const Circle& f, const Circle&) { return f; }
 
 template <typename F>

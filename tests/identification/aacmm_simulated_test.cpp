@@ -98,7 +98,7 @@ TEST_F(AacmmSimulated, ThePlaneAloneCannotTellTheScale) {
   const auto coupling = analyse_coupling(plane.recording, plane.constraints, plane.recording.arm);
   ASSERT_TRUE(coupling);
   EXPECT_EQ(coupling->rank, 20);
-  EXPECT_EQ(coupling->scale, ScaleState::Lost);
+  EXPECT_EQ(coupling->scale, ScaleState::Unidentifiable);
 }
 
 TEST_F(AacmmSimulated, ByPostureEachIsFoundWithinItsUncertainty) {

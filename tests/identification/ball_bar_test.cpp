@@ -22,8 +22,8 @@ struct LengthErrors {
 
 // Errors of 20,000 random lengths in the working volume: both ends at random postures.
 LengthErrors length_errors(const Arm& truth, const Arm& arm) {
-  const Sweep true_sweep(truth, {}, 0);
-  const Sweep sweep(arm, {}, 0);
+  const ForwardKinematics true_kinematics(truth, {}, 0);
+  const ForwardKinematics kinematics(arm, {}, 0);
   RandomStream random(1, "lengths in the volume");
   LengthErrors errors;
   constexpr int count = 20000;
@@ -35,8 +35,8 @@ LengthErrors length_errors(const Arm& truth, const Arm& arm) {
       for (double& angle : q) angle = random.uniform(-std::numbers::pi, std::numbers::pi);
       std::array<double, 12> sines;
       joint_sines(q, sines);
-      true_apart += end * true_sweep.tip_in_base(sines);
-      apart += end * sweep.tip_in_base(sines);
+      true_apart += end * true_kinematics.tip_in_base(sines);
+      apart += end * kinematics.tip_in_base(sines);
     }
     const double error = apart.norm() - true_apart.norm();
     errors.rms += error * error / count;
@@ -108,12 +108,12 @@ TEST_F(BallBar, EstimatedNoiseDoesAsWell) {
 
 TEST_F(BallBar, WhatIsHeld) {
   const Identification result = test::identified(bound, {});
-  for (const char* held : {"a6", "d6"}) {
-    EXPECT_EQ(test::state_of(result, held), ParameterState::Held);
-    EXPECT_EQ(test::identified_value(result, held), 0.0);
+  for (const char* fixed : {"a6", "d6"}) {
+    EXPECT_EQ(test::state_of(result, fixed), ParameterState::Fixed);
+    EXPECT_EQ(test::identified_value(result, fixed), 0.0);
   }
-  EXPECT_EQ(test::state_of(result, "d1"), ParameterState::Lost);
-  EXPECT_EQ(test::state_of(result, "theta1"), ParameterState::Lost);
+  EXPECT_EQ(test::state_of(result, "d1"), ParameterState::Unidentifiable);
+  EXPECT_EQ(test::state_of(result, "theta1"), ParameterState::Unidentifiable);
   EXPECT_EQ(result.coupling.rank, 21);
 }
 

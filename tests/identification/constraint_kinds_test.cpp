@@ -1,5 +1,5 @@
 // Planes, gauges, balls of unknown size, the tip's radius and certificates' own uncertainty: planted truths come
-// back from readings of an independent simulation, and what cannot be told is said.
+// back from readings of an independent simulation, and what cannot be determined is said.
 #include <cmath>
 #include <numbers>
 
@@ -239,7 +239,7 @@ TEST_P(Gauges, BringBackTheTruth) {
     EXPECT_EQ(bound.constraints.groups[0].size, GetParam() ? 3 : 2 + static_cast<int>(facings.size()));
     const Identification result = test::identified(bound, stated_noise());
     EXPECT_EQ(result.coupling.rank, 21);
-    EXPECT_NE(result.coupling.scale, ScaleState::Lost);
+    EXPECT_NE(result.coupling.scale, ScaleState::Unidentifiable);
     expect_truth(result, truth, 1e-5, 1e-8);
     for (const LengthDeviation& length : result.after.lengths) EXPECT_NEAR(length.error, 0.0, 1e-6);
   }
@@ -284,7 +284,8 @@ TEST_P(Gauges, TellTheTipsRadiusWhereTheyFaceBothWays) {
     const auto result = identify(bound.recording, bound.constraints, options);
     if (last < 0.0) {
       ASSERT_FALSE(result);
-      EXPECT_THAT(result.error().message, HasSubstr("radius was asked to be free, but these readings cannot tell it"));
+      EXPECT_THAT(result.error().message,
+                  HasSubstr("radius was asked to be free, but these readings cannot determine it"));
       continue;
     }
     ASSERT_TRUE(result) << result.error().text();
@@ -372,7 +373,7 @@ TEST(UnknownRadius, HasTheErrorOfTheOneCertificateInAllPlacements) {
   ASSERT_EQ(result.artefact_values.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const double expected = (bar.radii[i] + nominal.probes.front().radius) * 0.02 / bar.places[1];
-    EXPECT_NEAR(result.artefact_values[i].u / result.enlargement, expected, 0.02 * expected);
+    EXPECT_NEAR(result.artefact_values[i].u / result.scale_factor, expected, 0.02 * expected);
   }
 }
 
@@ -402,10 +403,10 @@ TEST(TipRadius, ComesBackFromBallsOfKnownSizeAndStaysOtherwise) {
   EXPECT_NEAR(result.arm.probes.front().radius, 2.95, 1e-7);
   // Not asked for, it is no parameter and stays; the readings do not fit.
   options.free = {};
-  const Identification held = test::identified(bound, options);
-  EXPECT_EQ(held.arm.probes.front().radius, 3.0);
-  EXPECT_EQ(held.parameters.size(), 25u);
-  EXPECT_GT(held.enlargement, 1.5);
+  const Identification fixed = test::identified(bound, options);
+  EXPECT_EQ(fixed.arm.probes.front().radius, 3.0);
+  EXPECT_EQ(fixed.parameters.size(), 25u);
+  EXPECT_GT(fixed.scale_factor, 1.5);
 }
 
 // Only the sum of the two radii is seen, and that is said.
@@ -476,12 +477,12 @@ TEST(CertifiedCoordinates, CountByTheirOwnUncertainty) {
       const auto& parameter = result.parameters[result.free[i]];
       deviation[i] = parameter.identified - value(truth, parameter.parameter);
     }
-    deviations += result.enlargement * result.enlargement * deviation.dot(result.covariance.ldlt().solve(deviation));
+    deviations += result.scale_factor * result.scale_factor * deviation.dot(result.covariance.ldlt().solve(deviation));
     parameters += static_cast<int>(deviation.size());
     for (auto& feature : bound.constraints.artefacts[0].features) feature.u_at = 0.0;
     bound = test::bind(bound.recording, bound.constraints.artefacts);
     const Identification exact = test::identified(bound, stated_noise(0.003));
-    EXPECT_GT(exact.enlargement, 2.0);
+    EXPECT_GT(exact.scale_factor, 2.0);
     squares_exact += std::pow(testing::length_rms(truth, exact.arm), 2);
   }
   RecordProperty("length rms with u, without (um)", std::to_string(1000 * std::sqrt(squares / 6)) + ", " +
@@ -501,7 +502,7 @@ TEST(CertifiedCoordinates, TheirUncertaintyDoesNotAverageOut) {
   const auto u_of_d3 = [&](double noise) {
     const Identification result = test::identified(bound, stated_noise(noise));
     for (const auto& p : result.parameters) {
-      if (p.parameter.name == "d3") return p.u / result.enlargement;
+      if (p.parameter.name == "d3") return p.u / result.scale_factor;
     }
     return 0.0;
   };

@@ -19,7 +19,7 @@ const std::string folder = std::string(ARTCAL_SOURCE_DIR) + "/tests/reference/aa
 test::Bound frozen(const test::Bound& plate, FeatureKind kind) {
   const Arm& nominal = plate.recording.arm;
   const System system = make_system(plate.recording, plate.constraints, nominal, {});
-  const auto unknowns = settle(system, nominal, plate.recording);
+  const auto unknowns = estimate_nuisance_parameters(system, nominal, plate.recording);
   const testing::ArmNumbers<double> numbers(nominal);
   Recording recording = plate.recording;
   Artefact artefact;

@@ -58,12 +58,12 @@ Arm with_errors(Arm arm, const std::map<std::string, double>& errors) {
 }
 
 Eigen::Matrix3Xd tips(const Arm& arm, const Recording& recording) {
-  const Sweep sweep(arm, {}, 0);
+  const ForwardKinematics kinematics(arm, {}, 0);
   Eigen::Matrix3Xd points(3, recording.joints.cols());
   std::vector<double> sines(12);
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     joint_sines({recording.joints.col(i).data(), 6}, sines);
-    points.col(i) = sweep.tip_in_base(sines);
+    points.col(i) = kinematics.tip_in_base(sines);
   }
   return points;
 }
@@ -98,9 +98,11 @@ TEST_F(Gao2013, TwentyThreeOfTwentyFiveAndBothPairsWithTheRightSign) {
   const auto coupling = analyse_coupling(bound.recording, bound.constraints, nominal);
   ASSERT_TRUE(coupling);
   EXPECT_EQ(coupling->rank, 23);
-  ASSERT_EQ(coupling->lost.size(), 2u);
-  EXPECT_EQ(lost_in_words(*coupling, coupling->lost[0]), "theta6 + a6/183.5 can be told, a6 alone cannot");
-  EXPECT_EQ(lost_in_words(*coupling, coupling->lost[1]), "alpha6 - d6/183.5 can be told, d6 alone cannot");
+  ASSERT_EQ(coupling->unidentifiable.size(), 2u);
+  EXPECT_EQ(unidentifiable_in_words(*coupling, coupling->unidentifiable[0]),
+            "theta6 + a6/183.5 is identifiable, a6 alone is not");
+  EXPECT_EQ(unidentifiable_in_words(*coupling, coupling->unidentifiable[1]),
+            "alpha6 - d6/183.5 is identifiable, d6 alone is not");
   // Condition and observability of Table 3 with angles times 1 m, from the same singular values.
   CouplingOptions metre;
   metre.angle_scale = 1000.0;

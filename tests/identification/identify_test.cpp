@@ -1,4 +1,4 @@
-// Identification as a whole: planted truths of every kind of reading come back, what cannot be told is
+// Identification as a whole: planted truths of every kind of reading come back, what cannot be determined is
 // fixed and said, and contradictory requests are refused.
 #include "identification/identify.h"
 
@@ -220,7 +220,7 @@ TEST(Identify, AParameterThatIsLostCannotBeFreed) {
   const auto result = identify(planted.bound.recording, planted.bound.constraints, options);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::NoSolution);
-  EXPECT_THAT(result.error().message, HasSubstr("d1 cannot be told at all"));
+  EXPECT_THAT(result.error().message, HasSubstr("d1 is not identifiable"));
 }
 
 // Two tips of different length separate a6 from theta6 and d6 from alpha6: nothing is unidentifiable then, and nothing
@@ -240,7 +240,7 @@ TEST(Identify, TwoProbesOfDifferentLengthSeparateThePairs) {
     recording.readings[i].probe = probe;
     std::vector<double> sines(12);
     joint_sines({recording.joints.col(static_cast<Eigen::Index>(i)).data(), 6}, sines);
-    recording.readings[i].reference = Sweep(planted.truth, {}, probe).tip_in_base(sines);
+    recording.readings[i].reference = ForwardKinematics(planted.truth, {}, probe).tip_in_base(sines);
   }
   planted.bound.constraints = *build_constraints(recording, planted.bound.constraints.artefacts);
   IdentifyOptions options;
@@ -270,7 +270,7 @@ TEST(Identify, NoiseIsEstimatedAndJudged) {
   IdentifyOptions too_small;
   too_small.noise.reading = 0.01;
   const Identification enlarged = test::identified(planted.bound, too_small);
-  EXPECT_NEAR(enlarged.enlargement, 2.0, 0.1);
+  EXPECT_NEAR(enlarged.scale_factor, 2.0, 0.1);
   EXPECT_THAT(enlarged.warnings.at(0), HasSubstr("times the stated noise"));
   for (std::size_t i = 0; i < estimated.parameters.size(); ++i) {
     EXPECT_NEAR(enlarged.parameters[i].u, estimated.parameters[i].u, 0.01 * estimated.parameters[i].u);
@@ -296,7 +296,7 @@ TEST(Identify, CovarianceIsTheSpreadOfRepeatedIdentifications) {
     }
     whitened.conservativeResize(deviation.size(), trial + 1);
     whitened.col(trial) =
-        (result.covariance / (result.enlargement * result.enlargement)).llt().matrixL().solve(deviation);
+        (result.covariance / (result.scale_factor * result.scale_factor)).llt().matrixL().solve(deviation);
   }
   // 23 · 300 numbers of mean 0 and variance 1: their mean square is 1 within 4 standard deviations.
   EXPECT_NEAR(whitened.squaredNorm() / static_cast<double>(whitened.size()), 1.0, 4 * std::sqrt(2.0 / 6900));
@@ -354,7 +354,7 @@ TEST(Identify, AHeldParameterShowsAsHeld) {
   options.hold = {"a1"};
   options.noise.reading = 0.01;
   const Identification result = test::identified(plant({}).bound, options);
-  EXPECT_EQ(test::state_of(result, "a1"), ParameterState::Held);
+  EXPECT_EQ(test::state_of(result, "a1"), ParameterState::Fixed);
   EXPECT_EQ(test::identified_value(result, "a1"), 0.0);
   EXPECT_EQ(result.free.size(), 22u);
   EXPECT_EQ(result.covariance.rows(), 22);

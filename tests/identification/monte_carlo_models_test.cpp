@@ -49,7 +49,7 @@ Planted planted(const Model& model, const testing::SessionNoise& noise) {
                                          ? testing::ball_session(nominal, made.truth, 1, noise)
                                          : testing::bar_session(nominal, made.truth, 1, noise, 4));
   made.identification = test::identified(made.bound, made.options);
-  if (made.identification.enlargement != 1.0) throw std::runtime_error("this seed enlarges the draws");
+  if (made.identification.scale_factor != 1.0) throw std::runtime_error("this seed enlarges the draws");
   return made;
 }
 
@@ -77,7 +77,7 @@ void expect_first_order(const MonteCarlo& monte_carlo, const MonteCarloCount& co
   const auto trials_made = static_cast<double>(count.end);
   const auto results = summary(monte_carlo.quantities(), count);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FollowedQuantity& quantity = monte_carlo.quantities()[i];
+    const Measurand& quantity = monte_carlo.quantities()[i];
     if (!quantity.u_linear) continue;
     EXPECT_NEAR(results[i].u / *quantity.u_linear, 1.0, 4.0 / std::sqrt(2.0 * trials_made)) << quantity.name;
     EXPECT_NEAR(results[i].mean, quantity.estimate, 4.0 * results[i].u / std::sqrt(trials_made)) << quantity.name;
@@ -100,9 +100,10 @@ class Rereading {
     Recording recording = exact_.recording;
     for (std::size_t i = 0; i < recording.readings.size(); ++i) {
       const Reading& reading = recording.readings[i];
-      const double warmth = std::isnan(reading.arm_temperature) ? 0.0 : reading.arm_temperature - reference_;
+      const double temperature_offset =
+          std::isnan(reading.arm_temperature) ? 0.0 : reading.arm_temperature - reference_;
       auto q = recording.joints.col(static_cast<Eigen::Index>(i));
-      q += shifted(q, reading.probe, warmth,
+      q += shifted(q, reading.probe, temperature_offset,
                    noise.probing * Eigen::Vector3d(random.normal(), random.normal(), random.normal()));
       for (double& angle : q) angle += noise.encoder * random.normal();
     }
@@ -113,9 +114,10 @@ class Rereading {
 
  private:
   // The smallest change of the joints that moves the tip by so much.
-  Eigen::VectorXd shifted(const Eigen::VectorXd& q, int probe, double warmth, const Eigen::Vector3d& by) const {
+  Eigen::VectorXd shifted(const Eigen::VectorXd& q, int probe, double temperature_offset,
+                          const Eigen::Vector3d& by) const {
     const auto tip = [&](const Eigen::VectorXd& at) {
-      return testing::tip_with_errors(numbers_, std::vector<double>(at.begin(), at.end()), probe, warmth);
+      return testing::tip_with_errors(numbers_, std::vector<double>(at.begin(), at.end()), probe, temperature_offset);
     };
     Eigen::Matrix3Xd slope(3, q.size());
     for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -164,7 +166,7 @@ TEST_P(MonteCarloOfGroups, AgreesWithFirstOrderAndWithWholeIdentificationsOfRead
     double squares = 0.0;
     for (const auto& row : found) mean += row[i] / number;
     for (const auto& row : found) squares += std::pow(row[i] - mean, 2) / (number - 1);
-    const PropagatedQuantity& result = results[static_cast<std::size_t>(i)];
+    const MonteCarloSummary& result = results[static_cast<std::size_t>(i)];
     const auto& quantity = monte_carlo.quantities()[static_cast<std::size_t>(i)];
     EXPECT_NEAR(std::sqrt(squares) / result.u, 1.0, 4.0 / std::sqrt(2.0 * (number - 1))) << quantity.name;
     EXPECT_LT(std::abs(mean - value(made.truth, made.identification.parameters[made.identification.free[i]].parameter)),

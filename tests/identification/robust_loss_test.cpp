@@ -135,7 +135,7 @@ TEST(RobustLoss, ReachesDistancesThatAreReadOnce) {
       EXPECT_NEAR(p.u, u, 0.15 * u) << p.parameter.name;
     }
   }
-  EXPECT_EQ(result.enlargement, 1.0);
+  EXPECT_EQ(result.scale_factor, 1.0);
   EXPECT_NEAR(result.chi_squared, result.degrees_of_freedom, 0.4 * result.degrees_of_freedom);
   ASSERT_EQ(result.certificate_outliers.size(), 1u);
   EXPECT_EQ(result.certificate_outliers.front().name.artefact, "pair 77");
@@ -173,7 +173,7 @@ TEST(RobustLoss, SevenBadReadingsOfSevenHundredLeaveTheUncertaintiesAlone) {
   for (const Loss loss : {Loss::Huber, Loss::Cauchy}) {
     options.loss = loss;
     const Identification result = test::identified(coordinates(7), options);
-    EXPECT_EQ(result.enlargement, 1.0);
+    EXPECT_EQ(result.scale_factor, 1.0);
     EXPECT_GT(result.chi_squared, result.chi_squared_low);
     EXPECT_LT(result.chi_squared, result.chi_squared_high);
     EXPECT_EQ(result.degrees_of_freedom, clean.degrees_of_freedom - 3 * 7);
@@ -188,7 +188,7 @@ TEST(RobustLoss, SevenBadReadingsOfSevenHundredLeaveTheUncertaintiesAlone) {
   // A noise that is stated too small is found by a robust fit too.
   options.loss = Loss::Cauchy;
   options.noise.reading = 0.005;
-  EXPECT_NEAR(test::identified(coordinates(7), options).enlargement, 2.0, 0.2);
+  EXPECT_NEAR(test::identified(coordinates(7), options).scale_factor, 2.0, 0.2);
 }
 
 /// Real readings on a bar of 50 mm, in one of whose six placements the certificate says 55 mm.

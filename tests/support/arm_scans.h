@@ -115,7 +115,7 @@ class ArmScanSimulation {
 
   bool touch(const V& tip, int label, Eigen::VectorXd& q) {
     const V noise(random_.normal(), random_.normal(), random_.normal());
-    const auto reached = reach_point(arm_, 0, tip + s_.noise * noise, q);
+    const auto reached = reach_with_joints(arm_, 0, tip + s_.noise * noise, q);
     if (reached) {
       q = *reached;
       scan_.joints.push_back(q);

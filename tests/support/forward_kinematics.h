@@ -11,9 +11,9 @@
 #include "acquisition/arm/arm.h"
 #include "acquisition/arm/parameters.h"
 
-/// The arm's equations a second time, so that the sweep can be held against them: 4×4 matrices multiplied
+/// The arm's equations a second time, so that the pass can be held against them: 4×4 matrices multiplied
 /// exactly as acquisition/arm/arm.h writes them, for any scalar (double, long double, ceres::Jet). Nothing
-/// here is taken from the sweep.
+/// here is taken from the pass.
 namespace artcal::testing {
 
 template <typename T>
@@ -156,16 +156,17 @@ std::vector<T> torques_of(const ArmNumbers<T>& arm, const std::vector<T>& rigid,
 /// The tip of an arm with all its joint errors (JointErrors) when its encoders read q; `warmth` is its temperature
 /// above the reference, K.
 template <typename T>
-Eigen::Matrix<T, 3, 1> tip_with_errors(ArmNumbers<T> arm, const std::vector<T>& q, int probe, double warmth) {
+Eigen::Matrix<T, 3, 1> tip_with_errors(ArmNumbers<T> arm, const std::vector<T>& q, int probe,
+                                       double temperature_offset) {
   using std::cos;
   using std::sin;
   const std::size_t n = q.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const T growth = T(1.0) + arm.expansion[i] * T(warmth);
-    arm.a[i] *= growth;
-    arm.d[i] *= growth;
+    const T expansion_factor = T(1.0) + arm.expansion[i] * T(temperature_offset);
+    arm.a[i] *= expansion_factor;
+    arm.d[i] *= expansion_factor;
     if (i + 1 == n) {
-      arm.tips[static_cast<std::size_t>(probe)] *= growth;
+      arm.tips[static_cast<std::size_t>(probe)] *= expansion_factor;
     }
   }
   std::vector<T> turned = q;

@@ -16,7 +16,7 @@
 
 /// What readings can tell of an arm, a second time: forward kinematics by 4×4 matrices, derivatives by automatic
 /// differentiation, the unknown points, planes and poses as columns of their own, one SVD of everything. Nothing here
-/// is taken from the sweep, the residuals or the coupling analysis.
+/// is taken from the pass, the residuals or the coupling analysis.
 namespace artcal::testing {
 
 struct IndependentRank {

@@ -17,7 +17,7 @@
 #include "tests/support/forward_kinematics.h"
 
 /// Sessions of an arm on artefacts, made up for tests with the arm's equations from forward_kinematics.h alone:
-/// neither the sweep nor virtual_probing.h has a part in them.
+/// neither the pass nor virtual_probing.h has a part in them.
 namespace artcal::testing {
 
 /// Errors of a real arm on top of a nominal one. The last joint's a and d and what only moves the base stay, so
@@ -126,8 +126,9 @@ class Session {
  private:
   Eigen::Vector3d tip(const Eigen::VectorXd& q, int probe) const {
     if (!has_joint_errors_) return rigid_tip(q, probe);
-    const double warmth = std::isnan(arm_temperature_) ? 0.0 : arm_temperature_ - truth_.reference_temperature;
-    return tip_with_errors(numbers_, std::vector<double>(q.begin(), q.end()), probe, warmth);
+    const double temperature_offset =
+        std::isnan(arm_temperature_) ? 0.0 : arm_temperature_ - truth_.reference_temperature;
+    return tip_with_errors(numbers_, std::vector<double>(q.begin(), q.end()), probe, temperature_offset);
   }
 
   Eigen::Vector3d rigid_tip(const Eigen::VectorXd& q, int probe) const {

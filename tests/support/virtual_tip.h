@@ -9,7 +9,7 @@
 #include "tests/support/forward_kinematics.h"
 
 /// Where the tip of a virtual arm is, from what its encoders read: the equations of virtual_arm.h the other
-/// way round, with 4×4 matrices. Nothing here is taken from the simulation or the sweep.
+/// way round, with 4×4 matrices. Nothing here is taken from the simulation or the pass.
 namespace artcal::testing {
 
 /// Torque of the weight of all links further out about each axis, N·mm: Σ (centre − axis) × weight, each pair

@@ -45,10 +45,10 @@ class TrueArm {
     Eigen::VectorXd start = random_posture(random_);
     for (const auto& direction : directions) {
       const Eigen::Vector3d target = centre + (radius + truth_.probes[0].radius) * direction + 0.003 * normal(random_);
-      auto q = reach_point(truth_, 0, target, start);
+      auto q = reach_with_joints(truth_, 0, target, start);
       while (!q) {
         start = random_posture(random_);
-        q = reach_point(truth_, 0, target, start);
+        q = reach_with_joints(truth_, 0, target, start);
       }
       write(label, *q, temperature);
     }
@@ -79,7 +79,7 @@ Rigid bar_pose(double azimuth, double height, const Eigen::Vector3d& along) {
 
 void write_lengths(TrueArm& arm, const Artefact& bar) {
   constexpr double temperature = 20.6;
-  const double growth = bar.expansion_factor(temperature);
+  const double expansion_factor = bar.expansion_factor(temperature);
   const std::vector<Rigid> base_from_bar{
       bar_pose(0.3, 0.0, {0.0, 0.0, 1.0}),    bar_pose(1.9, 100.0, {1.0, 0.0, 0.0}),
       bar_pose(3.3, -100.0, {0.0, 1.0, 0.0}), bar_pose(4.6, 0.0, {1.0, 1.0, 0.0}),
@@ -90,8 +90,8 @@ void write_lengths(TrueArm& arm, const Artefact& bar) {
       for (std::size_t i = 0; i < bar.features.size(); ++i) {
         const double from_a = i == 0 ? 0.0 : bar.distances[i - 1].value;
         arm.touch({"bar", fmt::format("{}", position + 1), bar.features[i].name, "", fmt::format("{}", repeat)},
-                  base_from_bar[position] * Eigen::Vector3d(growth * (from_a - 600.0), 0.0, 0.0),
-                  growth * *bar.features[i].radius, testing::pattern_5_wide(), temperature);
+                  base_from_bar[position] * Eigen::Vector3d(expansion_factor * (from_a - 600.0), 0.0, 0.0),
+                  expansion_factor * *bar.features[i].radius, testing::pattern_5_wide(), temperature);
       }
     }
   }
@@ -121,14 +121,14 @@ void write_sphere_plate(const std::string& source) {
   file.print("placement,feature,temperature,x,y,z\n");
   RandomStream random(2026, "examples/sphere-plate");
   constexpr double temperature = 20.8;
-  const double growth = plate.expansion_factor(temperature);
+  const double expansion_factor = plate.expansion_factor(temperature);
   for (int placement = 1; placement <= 2; ++placement) {
     const Rigid base_from_plate{random.rotation(), {500.0, -200.0 * placement, 300.0}};
     for (const CertifiedFeature& ball : plate.features) {
       const Eigen::Vector3d moved = ball.name == "C4" ? Eigen::Vector3d(0.006, 0.008, 0.0) : Eigen::Vector3d::Zero();
-      const Eigen::Vector3d centre = base_from_plate * Eigen::Vector3d(growth * (*ball.at + moved));
+      const Eigen::Vector3d centre = base_from_plate * Eigen::Vector3d(expansion_factor * (*ball.at + moved));
       for (const auto& direction : testing::pattern_25()) {
-        const Eigen::Vector3d p = centre + (growth * *ball.radius + 3.0) * direction + 0.003 * normal(random);
+        const Eigen::Vector3d p = centre + (expansion_factor * *ball.radius + 3.0) * direction + 0.003 * normal(random);
         file.print("{},{},{:.1f},{:.4f},{:.4f},{:.4f}\n", placement, ball.name, temperature, p.x(), p.y(), p.z());
       }
     }

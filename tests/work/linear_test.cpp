@@ -18,7 +18,7 @@
 namespace artcal {
 namespace {
 
-constexpr double most_growth = 2.4;  // of the steps, where the input doubles
+constexpr double max_growth = 2.4;  // of the steps, where the input doubles
 
 std::string repeated(int count, const std::function<std::string(int)>& piece, const std::string& between = "") {
   std::string text;
@@ -47,7 +47,7 @@ class Linear : public ::testing::Test {
     const auto once = steps(name, text(count), read);
     const auto twice = steps(name, text(2 * count), read);
     EXPECT_GT(once, static_cast<std::uint64_t>(count)) << "the steps are counted";
-    EXPECT_LT(static_cast<double>(twice), most_growth * static_cast<double>(once))
+    EXPECT_LT(static_cast<double>(twice), max_growth * static_cast<double>(once))
         << once << " steps for " << count << ", " << twice << " for twice that";
   }
   testing::TemporaryFolder folder_;

@@ -16,7 +16,7 @@ namespace artcal {
 namespace {
 
 constexpr std::size_t largest_record = 65536;
-constexpr std::size_t most_points = std::numeric_limits<int>::max();
+constexpr std::size_t max_points = std::numeric_limits<int>::max();
 
 Expected<std::size_t> whole_number(std::string_view word, std::string_view keyword, const std::string& where) {
   std::uint64_t value = 0;
@@ -107,8 +107,8 @@ Expected<void> read_counts(const PcdEntries& entries, const std::string& path, P
     if (!number) {
       return tl::unexpected(number.error());
     }
-    if (*number > most_points) {
-      return bad_input(fmt::format("{} is {}, expected at most {}", keyword, *number, most_points),
+    if (*number > max_points) {
+      return bad_input(fmt::format("{} is {}, expected at most {}", keyword, *number, max_points),
                        entries.at(keyword).where);
     }
     count = *number;

@@ -30,11 +30,11 @@ void write_plate(const Json& plate, Sheet& sheet) {
       {{"ball", false, true}, {"x"}, {"y"}, {"z"}, {"standardised"}, {"", false, false, false, false, true}});
   for (const Json& ball : plate.at("balls")) {
     const Json& residual = ball.at("residual_mm");
-    const bool stands_out = ball.at("stands_out");
+    const bool is_outlier = ball.at("stands_out");
     table.add_markup({html::cell(shown(text_in(ball, "feature"))), signed_micrometres(residual.at(0)),
                       signed_micrometres(residual.at(1)), signed_micrometres(residual.at(2)),
-                      fmt::format("{:.1f}", ball.at("standardised").get<double>()), stands_out ? "⚠ stands out" : ""},
-                     stands_out ? "notable" : "");
+                      fmt::format("{:.1f}", ball.at("standardised").get<double>()), is_outlier ? "⚠ outlier" : ""},
+                     is_outlier ? "notable" : "");
   }
   sheet.table(table);
 }
@@ -101,7 +101,7 @@ void write_drifts(const Json& interim, Sheet& sheet) {
                       signed_micrometres(drift.at("drift_mm")),
                       fmt::format("{:.2f}", number_in(drift.at("u_mm")) / units::micrometre),
                       significant                                      ? "⚠ significant"
-                      : drift.at("degrees_of_freedom").get<int>() == 0 ? "not told: no repeats"
+                      : drift.at("degrees_of_freedom").get<int>() == 0 ? "not evaluated: no repeats"
                                                                        : ""},
                      significant ? "notable" : "");
   }
@@ -138,7 +138,7 @@ void write_interim_verdict(const Json& interim, Sheet& sheet) {
                                 : Mood::Unsure,
                 significant > 0 ? "✗ Significant drift"
                 : told          ? "✓ No significant drift"
-                                : "? Drift not told",
+                                : "? Drift not evaluated",
                 fmt::format("{} compared with the earlier verification, {} of them significantly different.",
                             plural(drifts.size(), "value"), significant));
 }

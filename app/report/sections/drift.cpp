@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 using Results = std::vector<const Json*>;
 using namespace numbers;
 
-constexpr std::size_t most_drawn = 6;
+constexpr std::size_t max_drawn = 6;
 
 /// Of several results, in order of their dates.
 struct Times {
@@ -113,10 +113,10 @@ GaugedParameters gauged(const Json& result) {
       gauged.covariance(i, j) = matrix.at(static_cast<std::size_t>(i)).at(static_cast<std::size_t>(j));
     }
   }
-  const Json& lost = result.at("coupling").at("lost");
-  gauged.unidentifiable = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(lost.size()));
-  for (std::size_t k = 0; k < lost.size(); ++k) {
-    for (const auto& [name, coefficient] : lost[k].at("unseen_motion").items()) {
+  const Json& unidentifiable = result.at("coupling").at("lost");
+  gauged.unidentifiable = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(unidentifiable.size()));
+  for (std::size_t k = 0; k < unidentifiable.size(); ++k) {
+    for (const auto& [name, coefficient] : unidentifiable[k].at("unseen_motion").items()) {
       gauged.unidentifiable(places.at(name), static_cast<Eigen::Index>(k)) = coefficient;
     }
   }
@@ -179,7 +179,7 @@ double tip_motion(const std::string& unit, double reach) {
 Figure drift_figure(std::vector<Track> tracks, const Times& times, double reach) {
   std::stable_sort(tracks.begin(), tracks.end(),
                    [](const Track& a, const Track& b) { return a.standardised() > b.standardised(); });
-  tracks.resize(std::min(tracks.size(), most_drawn));
+  tracks.resize(std::min(tracks.size(), max_drawn));
   Json series = Json::array();
   for (const Track& track : tracks) {
     const double scale = tip_motion(track.unit, reach) / units::micrometre;

@@ -69,7 +69,7 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   const LeftOut left = left_out_of(result);
   const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
   html::Table table("Deviation of the readings, mm",
-                    {{"", false, true}, {"before"}, {"after"}, {"placement left out", true, false, false, true}});
+                    {{"", false, true}, {"before"}, {"after"}, {"cross-validation", true, false, false, true}});
   table.add({"root mean square", mm(number_in(before.at("overall").at("rms_mm"))), mm(after.at("overall").at("rms_mm")),
              left_or_dash(left.rms)});
   table.add({"largest", mm(number_in(before.at("overall").at("maximum_mm"))), mm(after.at("overall").at("maximum_mm")),
@@ -82,7 +82,7 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   if (left.readings > 0) {
     sheet.paragraph(
         "Before: the nominal arm. After: the identified arm, judged by the readings it was identified from. Placement "
-        "left out: each placement judged by an arm identified without it; expect this of new readings.");
+        "cross-val.: each placement evaluated with an arm identified without it; expect this of new readings.");
   }
 }
 
@@ -95,7 +95,7 @@ void write_placements(const Json& result, Sheet& sheet) {
                                                         {"before"},
                                                         {"after"},
                                                         {"largest after"},
-                                                        {"left out", true, false, false, true}});
+                                                        {"cross-val.", true, false, false, true}});
   std::map<std::pair<std::string, std::string>, const Json*> left_out;
   for (const Json& left : result.at("left_out")) {
     left_out.emplace(std::pair(text_in(left, "artefact"), text_in(left, "placement")), &left);
@@ -127,30 +127,31 @@ void write_parameters(const Json& result, Sheet& sheet) {
     table.add({parameter.at("name"), unit.name, number("nominal"), number("identified"),
                identified ? fmt::format("{:+.{}f}", change / unit.size, unit.decimals) : "–",
                identified        ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit.size)
-               : state == "lost" ? "cannot be told"
-                                 : "held"});
+               : state == "lost" ? "not identifiable"
+                                 : "fixed"});
   }
   sheet.table(table);
 }
 
-void write_lost(const Json& coupling, Sheet& sheet) {
-  sheet.part("What these readings cannot tell");
-  std::vector<std::string> lost, weak;
+void write_unidentifiable(const Json& coupling, Sheet& sheet) {
+  sheet.part("Not identifiable from these readings");
+  std::vector<std::string> unidentifiable, weak;
   for (const Json& direction : coupling.at("lost")) {
-    lost.push_back(fmt::format("{}; {} is held", direction.at("text").get<std::string>(),
-                               direction.at("held").get<std::string>()));
+    unidentifiable.push_back(fmt::format("{}; {} is fixed", direction.at("text").get<std::string>(),
+                                         direction.at("held").get<std::string>()));
   }
   for (const Json& direction : coupling.at("weak")) {
     weak.push_back(direction.at("text"));
   }
-  sheet.paragraph(lost.empty() ? "Nothing: all parameters of the arm can be told."
-                               : fmt::format("{} of {} combinations of parameters can be told. These cannot, whatever "
-                                             "the noise, and keep their nominal values:",
-                                             coupling.at("rank").get<std::size_t>(),
-                                             coupling.at("parameter_count").get<std::size_t>()));
-  sheet.list(lost);
+  sheet.paragraph(unidentifiable.empty()
+                      ? "None: all parameters of the arm are identifiable."
+                      : fmt::format("{} of {} combinations of parameters are identifiable. These cannot, whatever "
+                                    "the noise, and keep their nominal values:",
+                                    coupling.at("rank").get<std::size_t>(),
+                                    coupling.at("parameter_count").get<std::size_t>()));
+  sheet.list(unidentifiable);
   if (!weak.empty()) {
-    sheet.paragraph("These are told, but poorly:");
+    sheet.paragraph("Weakly identifiable:");
     sheet.list(weak);
   }
 }
@@ -185,19 +186,18 @@ void write_noise(const Json& result, Sheet& sheet) {
                                  range.at(0).get<double>(), range.at(1).get<double>())}});
   write_cross_validation(result, sheet);
   if (noise.at("enlargement").get<double>() > 1.0) {
-    sheet.note(fmt::format("The readings scatter more than was stated: all uncertainties are enlarged by {:.3g}.",
+    sheet.note(fmt::format("The readings scatter more than was stated: all uncertainties are multiplied by {:.3g}.",
                            noise.at("enlargement").get<double>()));
   }
 }
 
 void write_outliers(const Json& outliers, Sheet& sheet) {
-  html::Table table("Readings further off than chance allows; without a robust loss they took part like all others",
-                    {{"where", false, true},
-                     {"placement", false},
-                     {"feature", false},
-                     {"deviation, mm"},
-                     {"standard deviations"},
-                     {"limit"}});
+  html::Table table("Outliers; without a robust loss they took part like all other readings", {{"where", false, true},
+                                                                                               {"placement", false},
+                                                                                               {"feature", false},
+                                                                                               {"deviation, mm"},
+                                                                                               {"standard deviations"},
+                                                                                               {"limit"}});
   for (const Json& outlier : outliers) {
     table.add({shown(text_in(outlier, "where")), shown(text_in(outlier, "placement")),
                shown(text_in(outlier, "feature")), signed_mm(outlier.at("deviation_mm")),
@@ -267,7 +267,7 @@ void write_identification(const Json& result, Sheet& sheet) {
   sheet.part("Parameters");
   write_parameters(result, sheet);
   write_noise(result, sheet);
-  write_lost(result.at("coupling"), sheet);
+  write_unidentifiable(result.at("coupling"), sheet);
   if (result.at("covariance").at("parameters").size() > 1) {
     sheet.figure(correlation_of(result.at("covariance")));
   }

@@ -76,7 +76,7 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
            {"names", names},
            {"series",
             {{{"name", "identified arm"}, {"symbol", "circle"}, {"x", x}, {"y", fitted}},
-             {{"name", "placement left out"}, {"symbol", "square-open"}, {"x", x}, {"y", unseen}}}}}};
+             {{"name", "cross-validation"}, {"symbol", "square-open"}, {"x", x}, {"y", unseen}}}}}};
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ void write_length_errors(const Json& identification, Sheet& sheet) {
                      {"at temperature"},
                      {"before"},
                      {"after"},
-                     {"left out", true, false, false, true}});
+                     {"cross-val.", true, false, false, true}});
   const auto without_placement = left_out_lengths(identification.at("left_out"));
   std::vector<const Json*> left_out;  // null where there is none
   for (std::size_t i = 0; i < after.size(); ++i) {

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t most_named = 8;
+constexpr std::size_t max_named = 8;
 
 std::size_t count_where(const Json& quantities, const char* key, bool value) {
   return static_cast<std::size_t>(std::count_if(quantities.begin(), quantities.end(),
@@ -128,7 +128,7 @@ void write_differences(const Json& quantities, Sheet& sheet) {
     return;
   }
   sheet.note("⚠ Where u differs from the first order by more than 10 %, the Monte Carlo result holds:");
-  const std::size_t more = named.size() - std::min(named.size(), most_named);
+  const std::size_t more = named.size() - std::min(named.size(), max_named);
   named.resize(named.size() - more);
   if (more > 0) {
     named.push_back(fmt::format("{} more", more));

@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr int most_drawn = 2400;
-constexpr int most_drawn_a_joint = 480;
+constexpr int max_drawn = 2400;
+constexpr int max_drawn_a_joint = 480;
 
 std::vector<std::vector<double>> lists_in(const Json& json) {
   std::vector<std::vector<double>> lists;
@@ -110,7 +110,7 @@ Figure residuals_by_placement(const Json& identification, const ReportedReadings
   const auto runs = runs_of(after.at("features"), readings.feature, after.at("artefacts").size() > 1);
   std::vector<double> order(readings.after.size());
   std::iota(order.begin(), order.end(), 0.0);
-  const auto kept = thinned(order, readings.after, most_drawn);
+  const auto kept = thinned(order, readings.after, max_drawn);
   const DrawnUnit unit = drawn_unit(largest_of(readings.after));
   Json x = Json::array(), y = Json::array(), groups = Json::array();
   for (const int i : kept) {
@@ -138,7 +138,7 @@ Figure residuals_by_joint(const ReportedReadings& readings) {
   Json panels = Json::array();
   std::size_t least_drawn = readings.after.size();
   for (const auto& angles : readings.joints) {
-    const auto kept = thinned(angles, readings.after, most_drawn_a_joint);
+    const auto kept = thinned(angles, readings.after, max_drawn_a_joint);
     least_drawn = std::min(least_drawn, kept.size());
     Json x = Json::array(), y = Json::array();
     for (const int i : kept) {
@@ -150,7 +150,7 @@ Figure residuals_by_joint(const ReportedReadings& readings) {
   return {
       "Deviations of the readings by joint angle, identified arm",
       fmt::format("One panel a joint, its angle in degrees across. A wave of one or two periods a turn points to an "
-                  "eccentric encoder, a slope or a step to a joint that gives way.{}",
+                  "eccentric encoder, a slope or a step to a joint that bends.{}",
                   thinned_in_words(least_drawn, readings.after.size())),
       {{"kind", "joints"}, {"unit", unit.name}, {"panels", panels}},
       true};

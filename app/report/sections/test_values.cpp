@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t most_rows = 330;  // of a quantity: the 300 lengths of a plate of 25 balls are all shown
-constexpr int most_drawn = 1500;        // of a quantity
+constexpr std::size_t max_rows = 330;  // of a quantity: the 300 lengths of a plate of 25 balls are all shown
+constexpr int max_drawn = 1500;        // of a quantity
 
 bool is_length(const Json& value) { return !value.at("second").is_null(); }
 
@@ -77,14 +77,14 @@ std::string stated_at(const Json& value) {
 // All in their order, or the most severe first.
 std::vector<const Json*> rows_of(const ValuesOfQuantity& quantity) {
   std::vector<const Json*> rows = quantity.values;
-  if (rows.size() <= most_rows) {
+  if (rows.size() <= max_rows) {
     return rows;
   }
   const auto fails = [](const Json* value) { return value->at("verdict") == "does_not_conform"; };
   std::stable_sort(rows.begin(), rows.end(), [&](const Json* a, const Json* b) {
     return std::pair(!fails(a), -severity(*a)) < std::pair(!fails(b), -severity(*b));
   });
-  rows.resize(std::max(most_rows, static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), fails))));
+  rows.resize(std::max(max_rows, static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), fails))));
   return rows;
 }
 
@@ -105,7 +105,7 @@ DrawnLengths drawn_lengths(const ValuesOfQuantity& quantity, const DrawnUnit& un
     }
   }
   Json x = Json::array(), y = Json::array(), names = Json::array(), verdicts = Json::array();
-  const auto kept = thinned(lengths, errors, most_drawn);
+  const auto kept = thinned(lengths, errors, max_drawn);
   for (const int i : kept) {
     const Json& value = *quantity.values[i];
     x.push_back(drawn(lengths[i]));

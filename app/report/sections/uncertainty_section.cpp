@@ -70,7 +70,7 @@ void write_uncertainty(const Json& result, Sheet& sheet) {
   sheet.figure(map_of(result.at("map")));
   sheet.paragraph(
       "This is what the readings behind the arm and their noise leave open, to first order. Errors that the model does "
-      "not know (bending, eccentric encoders, warmth) come on top.");
+      "not know (bending, eccentric encoders, temperature) come on top.");
 }
 
 }  // namespace artcal

@@ -10,11 +10,11 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_outliers = 10;
+constexpr std::size_t max_outliers = 10;
 
 std::string title(const FitReport& report) {
   const FitRequest& request = report.request;
-  std::string text = fmt::format("{}\n{}, {}", at_most(200, report.inputs.front().path), name_of(request.shape),
+  std::string text = fmt::format("{}\n{}, {}", truncated(200, report.inputs.front().path), name_of(request.shape),
                                  name_of(request.options.criterion));
   if (request.options.fixed_radius) {
     text += fmt::format(", diameter {:.6g} mm as stated", 2.0 * *request.options.fixed_radius);
@@ -92,11 +92,11 @@ std::string outliers_text(const FeatureFit& fit) {
   }
   std::string text =
       fmt::format("Left out as outliers: {} of {} points\n", fit.outliers.size(), fit.outliers.size() + fit.points);
-  for (std::size_t i = 0; i < std::min(most_outliers, fit.outliers.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_outliers, fit.outliers.size()); ++i) {
     text += fmt::format("  row {}: {:+.5f} mm\n", fit.outliers[i].row, fit.outliers[i].mm);
   }
-  if (fit.outliers.size() > most_outliers) {
-    text += fmt::format("  and {} more, all in the JSON result\n", fit.outliers.size() - most_outliers);
+  if (fit.outliers.size() > max_outliers) {
+    text += fmt::format("  and {} more, all in the JSON result\n", fit.outliers.size() - max_outliers);
   }
   return text + "\n";
 }

@@ -12,11 +12,11 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_distances = 12;
-constexpr std::size_t most_rejected = 12;
-constexpr std::size_t most_ways = 8;
+constexpr std::size_t max_distances = 12;
+constexpr std::size_t max_rejected = 12;
+constexpr std::size_t max_ways = 8;
 
-std::string shown(const std::string& name) { return at_most(60, name); }
+std::string shown(const std::string& name) { return truncated(60, name); }
 std::string mm(double value) { return fmt::format("{:.4f}", value); }
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
@@ -62,15 +62,15 @@ std::string distances_table(const SegmentResult& result) {
     return std::abs(a.measured - a.at_temperature) > std::abs(b.measured - b.at_temperature);
   });
   Table table({"distance", "certified", "at, degC", "at temperature", "in the scan", "error"});
-  for (std::size_t i = 0; i < std::min(distances.size(), most_distances); ++i) {
+  for (std::size_t i = 0; i < std::min(distances.size(), max_distances); ++i) {
     const SeenDistance& d = distances[i];
     table.add({fmt::format("{} - {}", shown(sphere_name(result, static_cast<std::size_t>(d.first))),
                            shown(sphere_name(result, static_cast<std::size_t>(d.second)))),
                mm(d.certified.value), fmt::format("{:.4g}", d.certified.temperature), mm(d.at_temperature),
                mm(d.measured), fmt::format("{:+.4f}", d.measured - d.at_temperature)});
   }
-  const std::string more = distances.size() > most_distances
-                               ? fmt::format("  ({} more, all nearer)\n", distances.size() - most_distances)
+  const std::string more = distances.size() > max_distances
+                               ? fmt::format("  ({} more, all nearer)\n", distances.size() - max_distances)
                                : "";
   return "\n" + table.text() + more;
 }
@@ -78,11 +78,11 @@ std::string distances_table(const SegmentResult& result) {
 std::string rejected_text(const SegmentResult& result) {
   std::string text;
   const auto& rejected = result.segmentation.rejected;
-  for (std::size_t i = 0; i < std::min(rejected.size(), most_rejected); ++i) {
+  for (std::size_t i = 0; i < std::min(rejected.size(), max_rejected); ++i) {
     text += fmt::format("  {}\n", rejected[i].why);
   }
-  if (rejected.size() > most_rejected) {
-    text += fmt::format("  ({} more, all in the JSON result)\n", rejected.size() - most_rejected);
+  if (rejected.size() > max_rejected) {
+    text += fmt::format("  ({} more, all in the JSON result)\n", rejected.size() - max_rejected);
   }
   return text.empty() ? text : "\nNot taken:\n" + text;
 }
@@ -91,7 +91,7 @@ std::string rejected_text(const SegmentResult& result) {
 std::string ways_text(const SegmentResult& result) {
   const auto& ways = result.segmentation.matching.ways;
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i) {
+  for (std::size_t i = 0; i < std::min(ways.size(), max_ways); ++i) {
     std::vector<std::string> names;
     for (std::size_t k = 0; k < ways[i].found.size() && names.size() < 3; ++k) {
       if (ways[i].found[k] >= 0) {
@@ -102,7 +102,7 @@ std::string ways_text(const SegmentResult& result) {
     }
     texts.push_back(fmt::format("{} (distances within {:.2g} mm)", fmt::join(names, ", "), ways[i].worst));
   }
-  return fmt::format("{}{}", fmt::join(texts, "; or "), ways.size() > most_ways ? "; or others" : "");
+  return fmt::format("{}{}", fmt::join(texts, "; or "), ways.size() > max_ways ? "; or others" : "");
 }
 
 std::string found_text(const SegmentResult& result) {
@@ -136,7 +136,7 @@ std::string unmet_text(const SegmentResult& result) {
 
 std::string to_text(const SegmentResult& result) {
   std::string text = fmt::format("{} in {}\n{} points in {}, x, y, z from {}\n\n", shown(result.artefact.name),
-                                 at_most(80, result.inputs.front().path), result.points, result.unit, result.columns);
+                                 truncated(80, result.inputs.front().path), result.points, result.unit, result.columns);
   if (!result.wanted.spheres.empty()) {
     text += spheres_table(result);
   }
@@ -146,7 +146,7 @@ std::string to_text(const SegmentResult& result) {
   text += distances_table(result);
   text += rejected_text(result);
   if (const auto missing = missing_names(result); !missing.empty()) {
-    text += fmt::format("\nMissing in this scan: {}\n", at_most(400, fmt::format("{}", fmt::join(missing, ", "))));
+    text += fmt::format("\nMissing in this scan: {}\n", truncated(400, fmt::format("{}", fmt::join(missing, ", "))));
   }
   for (const auto& warning : result.warnings) {
     text += fmt::format("Warning: {}\n", warning);
@@ -160,7 +160,8 @@ std::string refusal_text(const SegmentResult& result) {
   switch (s.status) {
     case SegmentStatus::Ambiguous:
       return fmt::format(
-          "the certified distances fit in {}{} ways, so that which sphere is which is not told: {}. Say where spheres "
+          "the certified distances fit in {}{} ways, so that which sphere is which is not determined: {}. Say where "
+          "spheres "
           "are, such "
           "as --place {}=x,y,z in {}, or lower --tolerance (now {:.3g} mm)",
           s.matching.there_are_more ? "more than " : "", s.matching.ways.size(), ways_text(result),

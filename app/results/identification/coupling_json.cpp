@@ -20,7 +20,7 @@ namespace {
 
 const char* name_of(ScaleState state) {
   switch (state) {
-    case ScaleState::Lost: return "lost";
+    case ScaleState::Unidentifiable: return "lost";
     case ScaleState::Weak: return "weak";
     case ScaleState::Determined: break;
   }
@@ -55,9 +55,9 @@ Json coupling_json(const Coupling& coupling) {
   json["singular_values"] = std::vector<double>(coupling.singular_values.begin(), coupling.singular_values.end());
   json["scale"] = name_of(coupling.scale);
   json["lost"] = Json::array();
-  for (const ParameterMotion& motion : coupling.lost) {
+  for (const ParameterMotion& motion : coupling.unidentifiable) {
     json["lost"].push_back({{"held", coupling.parameters[motion.leading].name},
-                            {"text", lost_in_words(coupling, motion)},
+                            {"text", unidentifiable_in_words(coupling, motion)},
                             {"unseen_motion", motion_json(coupling, motion)}});
   }
   json["weak"] = Json::array();

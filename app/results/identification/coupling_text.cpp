@@ -11,16 +11,16 @@ namespace artcal {
 
 std::string cannot_text(const Coupling& coupling) {
   std::string text;
-  if (!coupling.lost.empty()) {
-    text += fmt::format("What these readings cannot tell ({} of {} parameters can be told):\n", coupling.rank,
+  if (!coupling.unidentifiable.empty()) {
+    text += fmt::format("Not identifiable from these readings ({} of {} parameters are identifiable):\n", coupling.rank,
                         coupling.parameters.size());
-    for (const ParameterMotion& motion : coupling.lost) {
-      text +=
-          fmt::format("  {}; {} is held\n", lost_in_words(coupling, motion), coupling.parameters[motion.leading].name);
+    for (const ParameterMotion& motion : coupling.unidentifiable) {
+      text += fmt::format("  {}; {} is fixed\n", unidentifiable_in_words(coupling, motion),
+                          coupling.parameters[motion.leading].name);
     }
   }
   if (!coupling.weak.empty()) {
-    text += "What they tell poorly (see the large u):\n";
+    text += "Weakly identifiable (see the large u):\n";
     for (const WeakDirection& weak : coupling.weak) {
       text += fmt::format("  {} (singular value {:.2g} of {:.3g})\n", weak_in_words(coupling, weak),
                           weak.singular_value, coupling.singular_values[0]);
@@ -31,20 +31,20 @@ std::string cannot_text(const Coupling& coupling) {
 
 std::string to_text(const Recording& recording, const Coupling& coupling) {
   std::string text = fmt::format("{}\narm {}: {} residuals, {} unknown coordinates and angles of features\n\n",
-                                 at_most(60, recording.name), in_quotes(recording.arm.name), coupling.residual_count,
+                                 truncated(60, recording.name), in_quotes(recording.arm.name), coupling.residual_count,
                                  coupling.unknown_count);
-  text += fmt::format("rank {} of {}: {} can be told, {} cannot\n", coupling.rank, coupling.parameters.size(),
+  text += fmt::format("rank {} of {}: {} are identifiable, {} are not\n", coupling.rank, coupling.parameters.size(),
                       plural(static_cast<std::size_t>(coupling.rank), "combination"),
                       coupling.parameters.size() - static_cast<std::size_t>(coupling.rank));
-  text += coupling.scale == ScaleState::Lost
+  text += coupling.scale == ScaleState::Unidentifiable
               ? "scale: LOST. All lengths can grow together unseen; measure a calibrated length as well\n"
-          : coupling.scale == ScaleState::Weak ? "scale: told, but poorly; a calibrated length would help\n"
-                                               : "scale: told\n";
+          : coupling.scale == ScaleState::Weak ? "scale: weakly identifiable; a calibrated length would help\n"
+                                               : "scale: identifiable\n";
   text += "\n" + (recording.warnings.empty() ? "" : warning_lines(recording.warnings) + "\n") + cannot_text(coupling);
-  if (!coupling.lost.empty()) {
-    text += "Motions that no reading sees (mm and rad):\n";
-    for (const ParameterMotion& motion : coupling.lost) {
-      text += fmt::format("  {}\n", lost_as_motion(coupling, motion));
+  if (!coupling.unidentifiable.empty()) {
+    text += "Unidentifiable directions (mm and rad):\n";
+    for (const ParameterMotion& motion : coupling.unidentifiable) {
+      text += fmt::format("  {}\n", unidentifiable_as_motion(coupling, motion));
     }
     text += "\n";
   }

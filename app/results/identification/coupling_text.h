@@ -7,7 +7,7 @@
 
 namespace artcal {
 
-/// What readings cannot tell, and what they tell poorly; nothing where they tell all well.
+/// What readings cannot determine, and what they tell poorly; nothing where they tell all well.
 std::string cannot_text(const Coupling& coupling);
 
 /// What readings can tell, and what not.

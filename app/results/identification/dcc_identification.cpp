@@ -49,7 +49,7 @@ DccResult identified_parameters(const Identification& result) {
 
 DccResult kept_parameters(const Identification& result) {
   DccResult section{"Parameters kept at their nominal value",
-                    "Kept by request or because the readings cannot tell them; no uncertainty is stated.",
+                    "Kept by request or because the readings cannot determine them; no uncertainty is stated.",
                     {}};
   for (const IdentifiedParameter& p : result.parameters) {
     if (p.state != ParameterState::Identified && p.state != ParameterState::Weak) {
@@ -94,8 +94,9 @@ std::vector<std::string> statements_of(const Recording& recording, const Constra
   for (const Artefact& artefact : constraints.artefacts) {
     statements.push_back("Artefact: " + artefact_in_words(artefact));
   }
-  for (const ParameterMotion& motion : result.coupling.lost) {
-    statements.push_back("The readings cannot tell everything: " + lost_in_words(result.coupling, motion));
+  for (const ParameterMotion& motion : result.coupling.unidentifiable) {
+    statements.push_back("The readings cannot determine everything: " +
+                         unidentifiable_in_words(result.coupling, motion));
   }
   for (const std::string& warning : result.warnings) {
     statements.push_back("Warning: " + warning);

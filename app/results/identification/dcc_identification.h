@@ -7,8 +7,8 @@
 namespace artcal {
 
 /// An identified arm as a digital certificate: its parameters with U (k = 2), those that were kept, how far readings
-/// and certified lengths are off before and after. States what cannot be told, which certificates it rests on, and
-/// every warning.
+/// and certified lengths are off before and after. States what cannot be determined, which certificates it rests on,
+/// and every warning.
 DccDocument dcc_of(const Recording& recording, const Constraints& constraints, const Identification& result,
                    const DccData& data);
 

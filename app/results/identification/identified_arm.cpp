@@ -17,10 +17,10 @@ ArmIdentification arm_identification(const Recording& recording, const IdentifyO
     known.parameters.push_back(result.parameters[static_cast<std::size_t>(index)].parameter.name);
   }
   known.covariance = result.covariance;
-  known.noise = result.noise * result.enlargement;
+  known.noise = result.noise * result.scale_factor;
   if (options.noise.encoder && options.noise.probing) {
-    known.encoder_noise = *options.noise.encoder * result.enlargement;
-    known.probing_noise = *options.noise.probing * result.enlargement;
+    known.encoder_noise = *options.noise.encoder * result.scale_factor;
+    known.probing_noise = *options.noise.probing * result.scale_factor;
   }
   known.misfits = result.misfits;
   known.unmodelled = result.cross_validation.scale;

@@ -14,7 +14,7 @@ const char* name_of(Effect effect) {
     case Effect::Gain: return "gain";
     case Effect::Gravity: return "gravity";
     case Effect::Drift: return "drift";
-    case Effect::Warmth: return "warmth";
+    case Effect::TemperatureOffset: return "warmth";
     case Effect::Expansion: break;
   }
   return "expansion";

@@ -28,12 +28,12 @@ Json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), po
 // Along each joint's axis by d, then to the next one.
 Json path_of(const Arm& arm, const Eigen::VectorXd& q, int probe) {
   const int joints = static_cast<int>(arm.joints.size());
-  const Sweep sweep(arm, {}, probe);
+  const ForwardKinematics kinematics(arm, {}, probe);
   std::vector<double> sines(2 * joints);
   const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
   joint_sines(angles, sines);
   Eigen::Matrix3Xd directions(3, joints), points(3, joints);
-  const Eigen::Vector3d tip = sweep.axes_in_base({sines, angles}, directions.data(), points.data());
+  const Eigen::Vector3d tip = kinematics.axes_in_base({sines, angles}, directions.data(), points.data());
   Json path = Json::array();
   for (int i = 0; i < joints; ++i) {
     const Eigen::Vector3d begin = points.col(i);

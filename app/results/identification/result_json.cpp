@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(SharedUnknown::Quantity quantity) {
+const char* name_of(ArtefactParameter::Quantity quantity) {
   switch (quantity) {
-    case SharedUnknown::Quantity::ErrorX: return "x";
-    case SharedUnknown::Quantity::ErrorY: return "y";
-    case SharedUnknown::Quantity::ErrorZ: return "z";
-    case SharedUnknown::Quantity::Radius: break;
+    case ArtefactParameter::Quantity::ErrorX: return "x";
+    case ArtefactParameter::Quantity::ErrorY: return "y";
+    case ArtefactParameter::Quantity::ErrorZ: return "z";
+    case ArtefactParameter::Quantity::Radius: break;
   }
   return "radius";
 }
@@ -103,7 +103,7 @@ Json noise_json(const IdentifyOptions& options, const Identification& result) {
   json["chi_squared"] = result.chi_squared;
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["chi_squared_95"] = {result.chi_squared_low, result.chi_squared_high};
-  json["enlargement"] = result.enlargement;
+  json["enlargement"] = result.scale_factor;
   return json;
 }
 

@@ -16,15 +16,15 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_outliers = 10;
-constexpr std::size_t most_lengths = 12;
+constexpr std::size_t max_outliers = 10;
+constexpr std::size_t max_lengths = 12;
 
 // A value that there is none of, such as a deviation by a nominal arm that cannot be evaluated, is NaN.
 std::string mm(double value) { return std::isfinite(value) ? fmt::format("{:.4f}", value) : "-"; }
 std::string signed_mm(double value) { return std::isfinite(value) ? fmt::format("{:+.4f}", value) : "-"; }
 
 // Names come from files and may be longer than a screen is wide.
-std::string shown(const std::string& name) { return at_most(60, name); }
+std::string shown(const std::string& name) { return truncated(60, name); }
 
 const LengthDeviation* worst(const std::vector<LengthDeviation>& lengths) {
   const auto found = std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
@@ -61,7 +61,7 @@ std::string title_text(const Recording& recording, const Constraints& constraint
 std::string summary_text(const Identification& result) {
   const Unseen unseen = unseen_of(result.left_out);
   const bool left_out = unseen.overall.readings > 0;
-  Table table({"deviation of the readings, mm", "before", "after", left_out ? "left out" : ""});
+  Table table({"deviation of the readings, mm", "before", "after", left_out ? "cross-val." : ""});
   const auto row = [&](const std::string& name, double before, double after, double left) {
     table.add({name, mm(before), mm(after), left_out ? mm(left) : ""});
   };
@@ -75,10 +75,12 @@ std::string summary_text(const Identification& result) {
   }
   std::string text = table.text();
   if (left_out) {
-    text += result.left_out_chose_the_model
-                ? "  left out: each placement judged by an arm identified without it. These placements also chose the "
-                  "model:\n  new readings may deviate by more\n"
-                : "  left out: each placement judged by an arm identified without it; expect this of new readings\n";
+    text +=
+        result.left_out_chose_the_model
+            ? "  cross-val.: each placement evaluated with an arm identified without it. These placements also chose "
+              "the "
+              "model:\n  new readings may deviate by more\n"
+            : "  cross-val.: each placement evaluated with an arm identified without it; expect this of new readings\n";
   } else if (result.after.placements.size() < 2) {
     text +=
         "  nothing could be left out for cross-validation: there is one placement; errors elsewhere are not known\n";
@@ -131,7 +133,7 @@ std::string placements_text(const Identification& result) {
     return {};
   }
   const bool several_artefacts = result.after.artefacts.size() > 1;
-  Table table({"placement", "readings", "rms before", "after", result.left_out.empty() ? "" : "left out"});
+  Table table({"placement", "readings", "rms before", "after", result.left_out.empty() ? "" : "cross-val."});
   for (std::size_t i = 0; i < result.after.placements.size(); ++i) {
     const FeatureDeviation& after = result.after.placements[i];
     const auto left = std::find_if(result.left_out.begin(), result.left_out.end(), [&](const LeftOut& out) {
@@ -154,12 +156,12 @@ std::string placements_text(const Identification& result) {
 }
 
 std::string lengths_text(const Identification& result) {
-  if (result.after.lengths.empty() || result.after.lengths.size() > most_lengths) {
+  if (result.after.lengths.empty() || result.after.lengths.size() > max_lengths) {
     return {};
   }
   const auto left = unseen_of(result.left_out).lengths;
   Table table({"length", "certified, mm", "at, degC", "at temperature, mm", "error before", "after",
-               left.empty() ? "" : "left out"});
+               left.empty() ? "" : "cross-val."});
   for (std::size_t i = 0; i < result.after.lengths.size(); ++i) {
     const LengthDeviation& length = result.after.lengths[i];
     const auto same = std::find_if(left.begin(), left.end(), [&](const LengthDeviation& other) {
@@ -184,8 +186,8 @@ std::string parameters_text(const Identification& result) {
     table.add({p.parameter.name, unit.name, number(p.nominal), number(p.identified),
                identified ? fmt::format("{:+.{}f}", (p.identified - p.nominal) / unit.size, unit.decimals) : "",
                identified ? fmt::format("{:.2g}{}", p.u / unit.size, p.state == ParameterState::Weak ? " (prior)" : "")
-               : p.state == ParameterState::Lost ? "cannot be told"
-                                                 : "held"});
+               : p.state == ParameterState::Unidentifiable ? "not identifiable"
+                                                           : "fixed"});
   }
   return table.text() + "\n";
 }
@@ -195,12 +197,12 @@ std::string artefacts_text(const Identification& result) {
   Table table({"artefact, feature", "quantity", "certified, mm", "found, mm", "u (k = 1)"});
   std::size_t rows = 0;
   for (const ArtefactValue& value : result.artefact_values) {
-    const char* quantity = value.quantity == SharedUnknown::Quantity::ErrorX   ? "x"
-                           : value.quantity == SharedUnknown::Quantity::ErrorY ? "y"
-                           : value.quantity == SharedUnknown::Quantity::ErrorZ ? "z"
-                                                                               : "radius";
+    const char* quantity = value.quantity == ArtefactParameter::Quantity::ErrorX   ? "x"
+                           : value.quantity == ArtefactParameter::Quantity::ErrorY ? "y"
+                           : value.quantity == ArtefactParameter::Quantity::ErrorZ ? "z"
+                                                                                   : "radius";
     const bool contradicted = value.certified && std::abs(value.found - *value.certified) > 3.0 * value.u_certified;
-    if ((value.certified && !contradicted) || rows++ >= most_lengths) {
+    if ((value.certified && !contradicted) || rows++ >= max_lengths) {
       continue;
     }
     table.add({fmt::format("{}, {}", shown(value.artefact), shown(value.feature)), quantity,
@@ -209,7 +211,7 @@ std::string artefacts_text(const Identification& result) {
   if (rows == 0) {
     return {};
   }
-  const std::string more = rows > most_lengths ? fmt::format("  and {} more\n", rows - most_lengths) : std::string();
+  const std::string more = rows > max_lengths ? fmt::format("  and {} more\n", rows - max_lengths) : std::string();
   return table.text() + more + "\n";
 }
 
@@ -250,9 +252,8 @@ std::string model_study_text(const ModelStudy& study) {
   if (!study.done || !study.findings.empty()) {
     return {};  // what was found is a warning
   }
-  return fmt::format(
-      "  residuals searched for {} effects that the model lacks (periodic, bending, drift, …): none found\n\n",
-      study.tests.size());
+  return fmt::format("  residual diagnostics: {} effects tested (periodic, bending, drift, …), none found\n\n",
+                     study.tests.size());
 }
 
 // How much of an observation a loss left; nothing without a loss.
@@ -265,14 +266,14 @@ std::string outlier_lines(const std::vector<Item>& outliers, const char* noun, L
   }
   const bool reweighted =
       std::any_of(outliers.begin(), outliers.end(), [](const Item& outlier) { return outlier.weight < 1.0; });
-  std::string text = fmt::format("{} further off than chance allows; {}, but look at it:\n",
-                                 plural(outliers.size(), noun), reweighted ? "given less weight" : "kept");
-  for (std::size_t i = 0; i < std::min(most_outliers, outliers.size()); ++i) {
+  std::string text = fmt::format("Outliers: {} ({}); check them:\n", plural(outliers.size(), noun),
+                                 reweighted ? "given less weight" : "kept");
+  for (std::size_t i = 0; i < std::min(max_outliers, outliers.size()); ++i) {
     text += fmt::format("  {}, {:.1f} standard deviations (limit {:.1f}){}\n", line(outliers[i]),
                         outliers[i].standardised, outliers[i].limit, weight_text(outliers[i].weight));
   }
-  if (outliers.size() > most_outliers) {
-    text += fmt::format("  and {} more, all in the JSON result\n", outliers.size() - most_outliers);
+  if (outliers.size() > max_outliers) {
+    text += fmt::format("  and {} more, all in the JSON result\n", outliers.size() - max_outliers);
   }
   return text + "\n";
 }
@@ -283,11 +284,11 @@ std::string outliers_text(const Recording& recording, const Identification& resu
                          return fmt::format(
                              "{}{}: {} {} mm, {} mm off", shown(outlier.name.artefact),
                              outlier.quantity ? "" : fmt::format(", placement {}", shown(outlier.name.placement)),
-                             at_most(140, quantity_text(outlier)), mm(outlier.certified),
+                             truncated(140, quantity_text(outlier)), mm(outlier.certified),
                              signed_mm(-outlier.deviation));
                        }) +
          outlier_lines(result.outliers, "reading", [&](const Outlier& outlier) {
-           return fmt::format("{}: placement {}, feature {}, {} mm", at_most(200, recording.where(outlier.reading)),
+           return fmt::format("{}: placement {}, feature {}, {} mm", truncated(200, recording.where(outlier.reading)),
                               shown(outlier.name.placement), shown(outlier.name.feature), signed_mm(outlier.deviation));
          });
 }

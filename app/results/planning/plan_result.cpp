@@ -90,11 +90,11 @@ std::string placements_text(const PlanResult& result) {
     }
     std::string readings;
     for (const auto& [feature, count] : counts) {
-      readings += fmt::format("{}{} {}", readings.empty() ? "" : ", ", at_most(20, feature), count);
+      readings += fmt::format("{}{} {}", readings.empty() ? "" : ", ", truncated(20, feature), count);
     }
     const auto& artefact = result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified;
-    table.add({at_most(30, place.name), at_most(30, artefact.name), told(ends.first_in_base), told(ends.last_in_base),
-               at_most(60, readings)});
+    table.add({truncated(30, place.name), truncated(30, artefact.name), told(ends.first_in_base),
+               told(ends.last_in_base), truncated(60, readings)});
   }
   return table.text();
 }
@@ -177,7 +177,7 @@ std::string to_text(const PlanResult& result) {
       "Standard uncertainty (k = 1, um) of a length anywhere in the volume, as the arm so identified will measure it,\n"
       "and what the readings tell of its {} parameters (O1 to O5, larger is better):\n\n{}\n"
       "Joint angles of the readings are in the JSON result and, with -o, in a table. Any posture near them will do.\n",
-      in_quotes(at_most(60, result.plan.nominal.name)), planning.chosen.size(), result.possible.placements.size(),
+      in_quotes(truncated(60, result.plan.nominal.name)), planning.chosen.size(), result.possible.placements.size(),
       result.options.readings, prior_text(result), placements_text(result), planning.free.size(),
       expectations_text(result));
 }

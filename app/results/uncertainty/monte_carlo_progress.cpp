@@ -43,7 +43,7 @@ StopOnSignal::~StopOnSignal() {
 
 const std::atomic<bool>& StopOnSignal::stop() const { return stop_asked; }
 
-MonteCarloProgress::MonteCarloProgress(const std::vector<FollowedQuantity>& quantities, const TrialsWanted& wanted,
+MonteCarloProgress::MonteCarloProgress(const std::vector<Measurand>& quantities, const TrialsWanted& wanted,
                                        std::int64_t begun_at)
     : quantities_(quantities), wanted_(wanted), begun_at_(begun_at), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -60,7 +60,7 @@ double MonteCarloProgress::trials_needed(const MonteCarloCount& count) const {
   }
   const double made = static_cast<double>(count.end - count.first);
   double factor = 0.0;
-  for (const PropagatedQuantity& result : summary(quantities_, count, wanted_.digits)) {
+  for (const MonteCarloSummary& result : summary(quantities_, count, wanted_.digits)) {
     factor = std::max(factor, std::pow(result.tolerance / result.tolerance_wanted, 2));
   }
   return static_cast<double>(count.first) + made * factor;

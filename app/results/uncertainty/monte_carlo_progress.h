@@ -12,8 +12,7 @@ namespace artcal {
 /// ten seconds.
 class MonteCarloProgress {
  public:
-  MonteCarloProgress(const std::vector<FollowedQuantity>& quantities, const TrialsWanted& wanted,
-                     std::int64_t begun_at);
+  MonteCarloProgress(const std::vector<Measurand>& quantities, const TrialsWanted& wanted, std::int64_t begun_at);
   ~MonteCarloProgress();
   MonteCarloProgress(const MonteCarloProgress&) = delete;
   MonteCarloProgress& operator=(const MonteCarloProgress&) = delete;
@@ -24,7 +23,7 @@ class MonteCarloProgress {
   using Clock = std::chrono::steady_clock;
   [[nodiscard]] double trials_needed(const MonteCarloCount& count) const;
 
-  const std::vector<FollowedQuantity>& quantities_;
+  const std::vector<Measurand>& quantities_;
   TrialsWanted wanted_;
   std::int64_t begun_at_;
   Clock::time_point start_ = Clock::now();

@@ -22,14 +22,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(FollowedQuantity::Kind kind) {
+const char* name_of(Measurand::Kind kind) {
   switch (kind) {
-    case FollowedQuantity::Kind::Parameter: return "parameter";
-    case FollowedQuantity::Kind::Coordinate: return "coordinate";
-    case FollowedQuantity::Kind::Length: return "length";
-    case FollowedQuantity::Kind::EUni: return "E_Uni";
-    case FollowedQuantity::Kind::PSize: return "P_Size";
-    case FollowedQuantity::Kind::LDia: break;
+    case Measurand::Kind::Parameter: return "parameter";
+    case Measurand::Kind::Coordinate: return "coordinate";
+    case Measurand::Kind::Length: return "length";
+    case Measurand::Kind::EUni: return "E_Uni";
+    case Measurand::Kind::PSize: return "P_Size";
+    case Measurand::Kind::LDia: break;
   }
   return "L_Dia";
 }
@@ -40,7 +40,7 @@ Json interval_json(const std::optional<Interval>& interval) {
   return interval ? Json{interval->low, interval->high} : Json(nullptr);
 }
 
-Json quantity_json(const FollowedQuantity& quantity, const PropagatedQuantity& result) {
+Json quantity_json(const Measurand& quantity, const MonteCarloSummary& result) {
   return {{"kind", name_of(quantity.kind)},
           {"name", quantity.name},
           {"unit", quantity.unit},
@@ -51,7 +51,7 @@ Json quantity_json(const FollowedQuantity& quantity, const PropagatedQuantity& r
           {"interval_95", interval_json(result.symmetric)},
           {"shortest_95", interval_json(result.shortest)},
           {"tolerance", result.tolerance},
-          {"stands", result.stands},
+          {"stands", result.stable},
           {"differs_from_first_order", result.differs_from_linear}};
 }
 
@@ -62,11 +62,11 @@ Json noise_json(const Noise& noise) {
           {"probing_mm", number(noise.probing)}};
 }
 
-std::string parameters_text(const MonteCarloResult& result, const std::vector<PropagatedQuantity>& summary) {
+std::string parameters_text(const MonteCarloResult& result, const std::vector<MonteCarloSummary>& summary) {
   Table table({"parameter", "unit", "identified", "u, first order", "u, Monte Carlo", "95 % from", "to"});
   for (std::size_t i = 0; i < summary.size(); ++i) {
-    const FollowedQuantity& quantity = result.quantities[i];
-    if (quantity.kind != FollowedQuantity::Kind::Parameter) {
+    const Measurand& quantity = result.quantities[i];
+    if (quantity.kind != Measurand::Kind::Parameter) {
       continue;
     }
     const ShownUnit unit = shown_unit(quantity.name, quantity.unit);
@@ -89,7 +89,7 @@ struct Family {
   bool differs = false;
 };
 
-std::string measured_text(const MonteCarloResult& result, const std::vector<PropagatedQuantity>& summary) {
+std::string measured_text(const MonteCarloResult& result, const std::vector<MonteCarloSummary>& summary) {
   std::vector<Family> families;
   for (std::size_t i = 0; i < summary.size(); ++i) {
     const std::string name = measurand_family(name_of(result.quantities[i].kind), result.quantities[i].name);
@@ -119,7 +119,7 @@ std::string measured_text(const MonteCarloResult& result, const std::vector<Prop
   return table.text();
 }
 
-std::string differing_text(const MonteCarloResult& result, const std::vector<PropagatedQuantity>& summary) {
+std::string differing_text(const MonteCarloResult& result, const std::vector<MonteCarloSummary>& summary) {
   std::vector<std::string> named;
   std::size_t more = 0;
   for (std::size_t i = 0; i < summary.size(); ++i) {
@@ -178,7 +178,7 @@ Json to_json(const MonteCarloResult& result) {
                      {"digits", result.wanted.digits}};
   json["model"] = model_text(result.identification.model);
   json["noise_mm"] = result.identification.noise;
-  json["enlargement"] = result.identification.enlargement;
+  json["enlargement"] = result.identification.scale_factor;
   json["trials"] = {{"first", result.count.first},
                     {"made", result.count.end - result.count.first},
                     {"wanted", result.wanted.number ? Json(*result.wanted.number) : Json(nullptr)},
@@ -199,10 +199,10 @@ std::string to_text(const MonteCarloResult& result) {
   const auto summary = result.summary();
   const std::int64_t made = result.count.end - result.count.first;
   const auto open =
-      std::count_if(summary.begin(), summary.end(), [](const auto& quantity) { return !quantity.stands; });
+      std::count_if(summary.begin(), summary.end(), [](const auto& quantity) { return !quantity.stable; });
   std::string text = fmt::format(
       "{}\narm {}: identified {} times from readings and certificates drawn anew (seed {}); {} did not converge\n",
-      at_most(60, result.recording.name), in_quotes(at_most(60, result.recording.arm.name)), made,
+      truncated(60, result.recording.name), in_quotes(truncated(60, result.recording.arm.name)), made,
       result.monte_carlo.seed, result.count.not_converged);
   if (result.options.automatic) {
     text += fmt::format(
@@ -214,10 +214,10 @@ std::string to_text(const MonteCarloResult& result) {
   if (!result.complete) {
     text += fmt::format("STOPPED after {} trials, before there were enough.\n", made);
   }
-  text += open == 0 ? fmt::format("u and both ends of each interval stand to {} significant digits of u.\n",
+  text += open == 0 ? fmt::format("u and both ends of each interval are stable to {} significant digits of u.\n",
                                   result.wanted.digits)
                     : fmt::format(
-                          "{} of {} quantities do not stand to {} significant digits of u yet; more trials would "
+                          "{} of {} quantities are not stable to {} significant digits of u yet; more trials would "
                           "help.\n",
                           open, summary.size(), result.wanted.digits);
   return text + warning_lines(result.identification.warnings) + "\n" + parameters_text(result, summary) + "\n" +

@@ -17,11 +17,11 @@ struct MonteCarloResult {
   const Identification& identification;
   MonteCarloOptions monte_carlo;
   TrialsWanted wanted;
-  std::vector<FollowedQuantity> quantities;
+  std::vector<Measurand> quantities;
   const MonteCarloCount& count;
   bool complete = true;
 
-  [[nodiscard]] std::vector<PropagatedQuantity> summary() const {
+  [[nodiscard]] std::vector<MonteCarloSummary> summary() const {
     return artcal::summary(quantities, count, wanted.digits);
   }
 };

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 constexpr const char* schema = "artcal-monte-carlo/1";
-constexpr std::size_t most_digits = 39;  // of a 128-bit integer
+constexpr std::size_t max_digits = 39;  // of a 128-bit integer
 
 std::string decimal(Distribution::Sum number) {
   std::string digits;
@@ -39,7 +39,7 @@ std::optional<Distribution::Sum> integer_of(const Json& json) {
   const bool negative = digits.starts_with('-');
   digits.erase(0, negative ? 1 : 0);
   // One digit less than would fit: what is written never needs it.
-  if (digits.empty() || digits.size() >= most_digits ||
+  if (digits.empty() || digits.size() >= max_digits ||
       !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
     return std::nullopt;
   }
@@ -172,7 +172,7 @@ Expected<MonteCarloCount> read_state(const std::string& path, const Json& made_f
   count.not_converged = members.count("not_converged");
   count.not_converged_first = members.counts("not_converged_first");
   const Json& distributions = members.member("distributions");
-  bool sound = members.sound() && distributions.is_array() && count.end >= count.first && count.end <= most_trials &&
+  bool sound = members.sound() && distributions.is_array() && count.end >= count.first && count.end <= max_trials &&
                count.not_converged <= count.end - count.first;
   for (std::size_t i = 0; sound && i < distributions.size(); ++i) {
     auto distribution = distribution_of(distributions[i]);

@@ -68,7 +68,7 @@ std::string unmodelled_text(const std::optional<ArmIdentification>& known) {
         known->unmodelled);
   }
   return "Errors that its model\n"
-         "does not have (with the chain alone: bending, eccentric encoders, warmth) come on top.\n";
+         "does not have (with the chain alone: bending, eccentric encoders, temperature) come on top.\n";
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ std::string to_text(const SurveyResult& result) {
       "Standard uncertainty of a point (um, all three coordinates together) over the working volume, in the base\n"
       "frame of this arm; mm, . = out of reach:\n\n{}\n"
       "{}This is what the readings behind the arm and their noise leave open, to first order. {}",
-      in_quotes(at_most(60, result.file.arm.name)), result.sources.parameters.size(), noise_text(result.sources),
+      in_quotes(truncated(60, result.file.arm.name)), result.sources.parameters.size(), noise_text(result.sources),
       lengths_text(result.volume), map_text(result.volume, result.sampling.rings), at_what_temperature(result.file.arm),
       unmodelled_text(result.file.identification));
 }

@@ -65,7 +65,7 @@ Json plate_json(const PlatePlacement& plate) {
         {{"feature", ball.feature},
          {"residual_mm", {ball.residual_in_plate.x(), ball.residual_in_plate.y(), ball.residual_in_plate.z()}},
          {"standardised", ball.standardised},
-         {"stands_out", ball.stands_out}});
+         {"stands_out", ball.is_outlier}});
   }
   return {{"artefact", plate.artefact},
           {"placement", plate.placement},

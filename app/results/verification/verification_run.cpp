@@ -57,7 +57,7 @@ Expected<VerificationResult> run_verification(VerificationMaterial& material, co
 
 bool is_shown(const VerificationResult& result) {
   if (const auto& interim = result.interim) {
-    return interim->any_told() && !interim->any_significant() &&
+    return interim->any_judged() && !interim->any_significant() &&
            result.verification.conclusion != Conclusion::NonConformityShown;
   }
   return result.verification.conclusion == Conclusion::ConformityShown;

@@ -15,13 +15,13 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_values = 12;  // of a quantity, unless more of them do not conform
-constexpr std::size_t most_balls = 150;  // of a plate
+constexpr std::size_t max_values = 12;  // of a quantity, unless more of them do not conform
+constexpr std::size_t max_balls = 150;  // of a plate
 
 std::string micrometres(double value) { return fmt::format("{:.1f}", value / units::micrometre); }
 std::string signed_micrometres(double value) { return fmt::format("{:+.1f}", value / units::micrometre); }
 
-std::string shown(const std::string& name) { return at_most(40, name); }
+std::string shown(const std::string& name) { return truncated(40, name); }
 
 // Ranges and diameters have no sign, errors do.
 std::string value_text(const TestValue& value) {
@@ -76,7 +76,7 @@ std::string answer(const Verification& verification) {
 std::string interim_answer(const InterimCheck& check) {
   return check.any_significant() ? "SIGNIFICANT DRIFT"
          : check.drifts.empty()  ? "NOTHING COULD BE COMPARED"
-         : !check.any_told()     ? "NOT TOLD: without repeats no drift can be called significant"
+         : !check.any_judged()   ? "NOT EVALUATED: without repeats no drift can be called significant"
                                  : "NO SIGNIFICANT DRIFT";
 }
 
@@ -136,7 +136,7 @@ std::vector<const TestValue*> to_show(const Verification& verification, Quantity
       values.push_back(&value);
     }
   }
-  if (all || values.size() <= most_values) {
+  if (all || values.size() <= max_values) {
     return values;
   }
   std::stable_sort(values.begin(), values.end(), [](const TestValue* a, const TestValue* b) {
@@ -147,7 +147,7 @@ std::vector<const TestValue*> to_show(const Verification& verification, Quantity
   });
   const auto not_conforming = static_cast<std::size_t>(std::count_if(
       values.begin(), values.end(), [](const TestValue* v) { return v->verdict == Verdict::DoesNotConform; }));
-  values.resize(std::max(most_values, not_conforming));
+  values.resize(std::max(max_values, not_conforming));
   return values;
 }
 
@@ -186,10 +186,10 @@ std::string plate_text(const PlatePlacement& plate, bool all) {
       plate.balls.size(), plate.rms / units::micrometre, 1e6 * plate.scale, 1e6 * plate.u_scale, plate.en_worst);
   Table table({"ball, residual in the plate's axes, um", "x", "y", "z", "standardised", ""});
   for (const BallResidual& ball : plate.balls) {
-    if (all || plate.balls.size() <= most_balls || ball.stands_out) {
+    if (all || plate.balls.size() <= max_balls || ball.is_outlier) {
       table.add({shown(ball.feature), signed_micrometres(ball.residual_in_plate.x()),
                  signed_micrometres(ball.residual_in_plate.y()), signed_micrometres(ball.residual_in_plate.z()),
-                 fmt::format("{:.1f}", ball.standardised), ball.stands_out ? "stands out" : ""});
+                 fmt::format("{:.1f}", ball.standardised), ball.is_outlier ? "outlier" : ""});
     }
   }
   return text + table.text() + "\n";

@@ -16,8 +16,8 @@
 namespace artcal {
 
 /// What limits of a plan keep it from taking all memory and all day.
-inline constexpr int most_planned_readings = 1'000'000;
-inline constexpr int most_planned_placements = 10'000;
+inline constexpr int max_planned_readings = 1'000'000;
+inline constexpr int max_planned_placements = 10'000;
 
 /// Sizes of what is drawn for the true arm: standard deviations of normal errors.
 struct ArmErrors {

@@ -15,9 +15,9 @@
 namespace artcal {
 namespace {
 
-constexpr double newton_metre = 1e3;         // N·mm
-constexpr double most_of_radius = 0.1;       // a spread of it beyond which a tip may vanish
-constexpr double most_encoder_error = 0.01;  // rad; what is more is a broken encoder, not an eccentric one
+constexpr double newton_metre = 1e3;        // N·mm
+constexpr double max_of_radius = 0.1;       // a spread of it beyond which a tip may vanish
+constexpr double max_encoder_error = 0.01;  // rad; what is more is a broken encoder, not an eccentric one
 
 Harmonic read_first_harmonic(TomlTable& table, double angle) {
   Harmonic harmonic;
@@ -62,10 +62,10 @@ VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angl
   joint.eccentricity[0] = read_first_harmonic(table, angle);
   joint.eccentricity[1] = {angle_at(table, "second_harmonic"), table.number_or("second_phase", 0.0) * angle};
   for (const Harmonic& harmonic : joint.eccentricity) {
-    if (harmonic.amplitude > most_encoder_error) {
+    if (harmonic.amplitude > max_encoder_error) {
       table.fail("", fmt::format("an encoder error of {:.0f} arcsec is beyond what can be simulated, expected at most "
                                  "{:.0f} arcsec",
-                                 harmonic.amplitude / units::arcsecond, most_encoder_error / units::arcsecond));
+                                 harmonic.amplitude / units::arcsecond, max_encoder_error / units::arcsecond));
     }
   }
   joint.compliance = number_between(table, "compliance_arcsec_per_Nm", 0.0, 0.0, 1e4) * units::arcsecond / newton_metre;
@@ -89,12 +89,12 @@ void read_joint_error_sizes(TomlTable& table, const Arm& arm, ArmErrors& errors)
   if (errors.compliance > 0.0 && !has_masses(arm)) {
     table.fail("compliance_arcsec_per_Nm",
                fmt::format("not every joint of the arm {} states the mass of its link (`mass_kg` in the arm's file), "
-                           "without which no joint gives way",
+                           "without which no joint bends",
                            in_quotes(arm.name)));
   }
   errors.radius = length_at(table, "radius");
   for (const Probe& probe : arm.probes) {
-    if (errors.radius > most_of_radius * probe.radius) {
+    if (errors.radius > max_of_radius * probe.radius) {
       table.fail("radius",
                  fmt::format("radii are to be drawn with {:g} mm, but that of the tip {} is {:g} mm, expected "
                              "a tenth of it at most",
@@ -133,9 +133,9 @@ ArmErrors read_arm_errors(TomlTable table, const Arm& arm) {
       table.fail("exact", fmt::format("{} is not a parameter of the arm {}", in_quotes(name), in_quotes(arm.name)));
     }
   }
-  if (errors.eccentricity > 0.1 * most_encoder_error || errors.second_harmonic > 0.1 * most_encoder_error) {
+  if (errors.eccentricity > 0.1 * max_encoder_error || errors.second_harmonic > 0.1 * max_encoder_error) {
     table.fail("", fmt::format("harmonics are to be drawn with more than {:.0f} arcsec, which cannot be simulated",
-                               0.1 * most_encoder_error / units::arcsecond));
+                               0.1 * max_encoder_error / units::arcsecond));
   }
   return errors;
 }

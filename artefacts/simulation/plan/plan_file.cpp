@@ -17,11 +17,11 @@ namespace artcal {
 namespace {
 
 constexpr std::string_view schema = "artcal-plan/1";
-constexpr double most_seed = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
+constexpr double max_seed = 9007199254740992.0;  // 2^53: beyond it not every whole number is a double
 
 std::uint64_t read_seed(TomlTable& root) {
   const double seed = root.number_or("seed", 1.0);
-  if (!(seed >= 0.0 && seed <= most_seed && seed == std::floor(seed))) {
+  if (!(seed >= 0.0 && seed <= max_seed && seed == std::floor(seed))) {
     root.fail("seed", fmt::format("the seed is {}, expected a whole number from 0 to 2^53", seed));
     return 1;
   }
@@ -107,7 +107,7 @@ Expected<PlanFile> read_plan_file(const std::filesystem::path& path, const FileA
   const std::filesystem::path folder = path.parent_path();
   PlanFile file;
   file.inputs.push_back({path.string(), document->sha256()});
-  file.plan.name = root.name_or("name", at_most(80, path.stem().string()));
+  file.plan.name = root.name_or("name", truncated(80, path.stem().string()));
   file.plan.seed = read_seed(root);
   const auto file_at = [&](std::string_view key, const std::string& name) {
     const auto found = access.resolve(folder, name, root.where(key));

@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-constexpr int most_points = 100'000;  // of a pattern
+constexpr int max_points = 100'000;  // of a pattern
 
 std::vector<std::string> names_of(const auto& named) {
   std::vector<std::string> names;
@@ -77,7 +77,7 @@ void read_placement(TomlTable table, SimulationPlan& plan, const PlanUnits& unit
   const bool in_base = plan.artefacts[placement.artefact].certified.frame == CoordinateFrame::Base;
   const auto position = triple_at(table, "position");
   const auto turn = triple_at(table, "turn");
-  const int drawn = count_at(table, "random", 0, 0, most_planned_placements);
+  const int drawn = count_at(table, "random", 0, 0, max_planned_placements);
   placement.upright = table.truth_or("upright", false);
   if (in_base && (position || turn || drawn > 0)) {
     table.fail("", "the artefact's coordinates stand in the arm's base frame, so that it has no other position");
@@ -170,7 +170,7 @@ void read_pattern(TomlTable& table, PlannedProbing& probing, const Artefact& art
     table.fail("pattern", fmt::format("the pattern is {}, expected \"spread\" or \"iso25\"", in_quotes(pattern)));
   }
   probing.pattern = pattern == "iso25" ? Pattern::Iso25 : Pattern::Spread;
-  probing.points = count_at(table, "points", 25, 1, most_points);
+  probing.points = count_at(table, "points", 25, 1, max_points);
   if (probing.pattern != Pattern::Iso25) {
     return;
   }
@@ -229,7 +229,7 @@ PlannedProbing read_probing(TomlTable table, const SimulationPlan& plan, const P
   read_pattern(table, probing, artefact);
   read_scan(table, probing, artefact);
   probing.orientations = count_at(table, "orientations", 0, 0, 1000);
-  probing.repeats = count_at(table, "repeats", 1, 1, most_points);
+  probing.repeats = count_at(table, "repeats", 1, 1, max_points);
   probing.pole_in_base = direction_at(table, "pole").value_or(probing.pole_in_base);
   probing.cap = table.number_or("cap", probing.cap / units.angle) * units.angle;
   if (!(probing.cap > 0.0 && probing.cap <= std::numbers::pi * (1.0 + 1e-12))) {
@@ -301,8 +301,8 @@ void read_stand(TomlTable& root, SimulationPlan& plan, const PlanUnits& units) {
 void read_placements(TomlTable& root, SimulationPlan& plan, const PlanUnits& units) {
   for (auto& table : root.tables("placement")) {
     read_placement(std::move(table), plan, units);
-    if (plan.placements.size() > most_planned_placements) {
-      root.fail("placement", fmt::format("there are more than {} placements", most_planned_placements));
+    if (plan.placements.size() > max_planned_placements) {
+      root.fail("placement", fmt::format("there are more than {} placements", max_planned_placements));
       return;
     }
   }
@@ -319,9 +319,9 @@ void read_probings(TomlTable& root, SimulationPlan& plan, const PlanUnits& units
   const double readings = planned_readings(plan);
   if (readings < 1.0) {
     root.fail("probing", "the plan makes no readings, expected at least one table headed [[probing]]");
-  } else if (readings > most_planned_readings) {
+  } else if (readings > max_planned_readings) {
     root.fail("probing",
-              fmt::format("the plan makes {:.0f} readings, expected at most {}", readings, most_planned_readings));
+              fmt::format("the plan makes {:.0f} readings, expected at most {}", readings, max_planned_readings));
   }
   std::vector<bool> probed(plan.placements.size(), false);
   for (const PlannedProbing& probing : plan.probings) {

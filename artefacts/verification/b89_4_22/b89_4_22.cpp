@@ -114,7 +114,7 @@ std::optional<VolumetricSummary> volumetric_summary(const Verification& verifica
 void check_plan(const Session& session, B89Verification& result) {
   auto& missing = result.verification.missing;
   if (!session.specification.plan) {
-    missing.push_back("the specification has no [plan]: whether enough was measured cannot be told");
+    missing.push_back("the specification has no [plan]: whether enough was measured cannot be determined");
     return;
   }
   const TestPlan& plan = *session.specification.plan;

@@ -16,7 +16,7 @@ namespace {
 // Touches nearer to each other than this share of the radius (0.3 mm on a ball of 25 mm) are one touch: hands that try
 // to repeat a place miss it by more, and an arm that stands still by less.
 constexpr double one_place = 0.02;
-constexpr std::size_t most_told = 20;  // of the same kind; nobody reads a thousand lines of what is missing
+constexpr std::size_t most_listed = 20;  // of the same kind; nobody reads a thousand lines of what is missing
 
 using Length = std::pair<std::string, std::string>;
 /// By placement: how often each length was measured there.
@@ -80,9 +80,9 @@ void check_longest(const Session& session, const Verification& verification, std
 }
 
 void add_some(std::vector<std::string> found, std::vector<std::string>& missing) {
-  if (found.size() > most_told) {
-    const std::size_t more = found.size() - most_told;
-    found.resize(most_told);
+  if (found.size() > most_listed) {
+    const std::size_t more = found.size() - most_listed;
+    found.resize(most_listed);
     found.push_back(fmt::format("and {} more of this kind", more));
   }
   missing.insert(missing.end(), found.begin(), found.end());
@@ -113,7 +113,7 @@ int distinct_touches(const Session& session, const Touched& touched, int wanted)
 
 void check_length_plan(const Session& session, Verification& verification) {
   if (!session.specification.plan) {
-    verification.missing.push_back("the specification has no [plan]: whether enough was measured cannot be told");
+    verification.missing.push_back("the specification has no [plan]: whether enough was measured cannot be determined");
     return;
   }
   const TestPlan& plan = *session.specification.plan;

@@ -89,7 +89,7 @@ void add_place_warnings(Verification& verification) {
     for (const auto& name : names) {
       text += (text.empty() ? "" : ", ") + name;
     }
-    return at_most(200, text);
+    return truncated(200, text);
   };
   if (!above.empty()) {
     verification.warnings.push_back("straight above the base, where an arm is at its worst: placement " + list(above));

@@ -129,7 +129,7 @@ std::set<Evidence> read_waived(TomlTable& root) {
 
 Specification read_specification(TomlTable& root, const std::filesystem::path& path) {
   Specification specification;
-  specification.name = root.name_or("name", at_most(80, path.stem().string()));
+  specification.name = root.name_or("name", truncated(80, path.stem().string()));
   TomlTable units = root.table("units");
   const double length = length_unit(units, "length");
   const double limit = length_unit(units, "limit");

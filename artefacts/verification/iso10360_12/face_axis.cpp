@@ -18,7 +18,7 @@ constexpr double thinnest = 0.02;  // spread across over spread along: less is o
 constexpr double thickest = 0.1;   // spread off a plane over the smaller one in it: more is no plane
 constexpr double perpendicular = 1e-4;
 constexpr double least_angle = 30.0 * units::degree;  // between sides that tell an axis
-constexpr double most_disagreement = 1.0 * units::degree;
+constexpr double max_disagreement = 1.0 * units::degree;
 
 using Group = std::vector<int>;  // readings of one plane
 
@@ -123,7 +123,7 @@ Expected<std::optional<FaceAxis>> axis_by_sides(const Artefact& artefact, const 
       const double angle = angle_between(side.normal.in_base, other.normal.in_base);
       const double certified =
           angle_between(*feature_of(artefact, side.feature).normal, *feature_of(artefact, other.feature).normal);
-      if (std::abs(angle - certified) > most_disagreement) {
+      if (std::abs(angle - certified) > max_disagreement) {
         return no_solution(fmt::format(
             "the sides {} and {} stand at {:.1f} degrees to each other, and are certified to stand at {:.1f}",
             in_quotes(feature_of(artefact, side.feature).name), in_quotes(feature_of(artefact, other.feature).name),
@@ -172,7 +172,8 @@ Expected<FaceAxis> face_axis(const Session& session, const Artefact& artefact, c
     return **by_sides;
   }
   return no_solution(
-      "the readings of each face are single points or lie on one line, so that its direction is not told; read a face "
+      "the readings of each face are single points or lie on one line, so that its direction is not determined; read a "
+      "face "
       "in three or more points, or two sides whose normals are certified, in the same placement");
 }
 

@@ -12,8 +12,8 @@
 namespace artcal {
 namespace {
 
-constexpr double rounding = 1e-12;          // mm
-constexpr std::size_t fewest_scanned = 20;  // points of a scan, of which 95 % are not all
+constexpr double rounding = 1e-12;       // mm
+constexpr std::size_t min_scanned = 20;  // points of a scan, of which 95 % are not all
 
 /// One position of a ball in one repeat.
 struct Position {
@@ -56,10 +56,10 @@ void add_size_and_form(const Session& session, const Touched& touched, Verificat
     return;
   }
   verification.scatter(measured->kind).add(measured->squares, measured->degrees_of_freedom);
-  if (scanned && touched.readings.size() < fewest_scanned) {
+  if (scanned && touched.readings.size() < min_scanned) {
     verification.missing.push_back(
         fmt::format("P_Form.Sph.D95%: {}: {} points, and 95 % of fewer than {} are all of them",
-                    text_of(touched, session), touched.readings.size(), fewest_scanned));
+                    text_of(touched, session), touched.readings.size(), min_scanned));
     return;
   }
   const Artefact& artefact = session.constraints.artefacts[touched.artefact];

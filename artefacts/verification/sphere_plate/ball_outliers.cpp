@@ -34,9 +34,9 @@ Eigen::Matrix3d certainty_of(const Eigen::Matrix3Xd& arms, Eigen::Index i) {
 
 }  // namespace
 
-Strangeness strangeness_of(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified) {
+BallOutlierTest studentised_residuals(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified) {
   const Eigen::Index n = measured.cols();
-  Strangeness result{Eigen::VectorXd::Zero(n), 0.0};
+  BallOutlierTest result{Eigen::VectorXd::Zero(n), 0.0};
   const auto freedom = static_cast<double>(3 * (n - 1) - 6);
   const auto whole = fit_rigid(measured, certified);
   if (!whole || freedom < 1.0) {

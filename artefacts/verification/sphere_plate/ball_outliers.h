@@ -5,7 +5,7 @@
 namespace artcal {
 
 /// How far each point is from where the pose of all the others foretells it, in standard deviations of theirs.
-struct Strangeness {
+struct BallOutlierTest {
   Eigen::VectorXd distances;
   double limit = 0.0;  ///< chance exceeds it in one set of a hundred; 0: too few points to tell
 };
@@ -14,6 +14,6 @@ struct Strangeness {
 /// leverage of the point left out); with fewer it is taken as the same in all directions. One strange point
 /// does not hide itself, for it is in no scatter that it is held against.
 /// REQUIRES: as many columns in both.
-Strangeness strangeness_of(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified);
+BallOutlierTest studentised_residuals(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified);
 
 }  // namespace artcal

@@ -15,8 +15,8 @@ namespace {
 
 // Of the rms as named. Where few points say little against chance, the difference must be gross.
 double far_better(Eigen::Index points) { return points >= 9 ? 0.5 : 0.1; }
-constexpr double near_share = 0.1;     // of the smallest distance between points: what still counts as the same place
-constexpr int most_candidates = 4000;  // triples that are tried in full
+constexpr double near_share = 0.1;    // of the smallest distance between points: what still counts as the same place
+constexpr int max_candidates = 4000;  // triples that are tried in full
 
 using Order = std::vector<int>;
 
@@ -101,7 +101,7 @@ std::optional<Candidate> best_order(const Eigen::Matrix3Xd& measured, const Eige
     for (int j = 0; j < count; ++j) {
       if (i == j || !fits(i, j, 0, 1)) continue;
       for (int k = 0; k < count; ++k) {
-        if (k == i || k == j || !fits(i, k, 0, 2) || !fits(j, k, 1, 2) || ++tried > most_candidates) continue;
+        if (k == i || k == j || !fits(i, k, 0, 2) || !fits(j, k, 1, 2) || ++tried > max_candidates) continue;
         const auto pose = fit_rigid(corner, columns(certified, {i, j, k}));
         const auto order = pose ? assigned(measured, certified, pose->to_from, 2.0 * near) : std::nullopt;
         if (!order) continue;

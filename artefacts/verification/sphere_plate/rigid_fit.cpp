@@ -23,10 +23,10 @@ Expected<RigidFit> fit_rigid(const Eigen::Matrix3Xd& to, const Eigen::Matrix3Xd&
   const Eigen::Matrix3Xd b = from.colwise() - from_centroid;
   const Eigen::Vector3d shape = Eigen::JacobiSVD<Eigen::Matrix3d>(b * w.asDiagonal() * b.transpose()).singularValues();
   if (!(shape(1) > 1e-12 * shape(0))) {
-    return no_solution("the points of a pose lie on one line, so that its turning about that line is not told");
+    return no_solution("the points of a pose lie on one line, so that its turning about that line is not determined");
   }
   RigidFit fit;
-  fit.to_from.rotation = turning_of(a * w.asDiagonal() * b.transpose()).rotation;
+  fit.to_from.rotation = rotation_of_moment(a * w.asDiagonal() * b.transpose()).rotation;
   fit.to_from.translation = to_centroid - fit.to_from.rotation * from_centroid;
   const Eigen::Matrix3Xd turned = fit.to_from.rotation * b;
   fit.residuals = a - turned;

@@ -87,7 +87,7 @@ std::string names_of(const Artefact& artefact, const Pattern& pattern, const std
   for (const int i : which) {
     text += (text.empty() ? "" : ", ") + artefact.features[pattern.features[i]].name;
   }
-  return at_most(120, text);
+  return truncated(120, text);
 }
 
 // Names of certified balls in the order that PatternFinding counts them: the measured ones, then the others.
@@ -111,7 +111,7 @@ std::string swaps_of(const Artefact& artefact, const Pattern& pattern, const std
                           artefact.features[features[order[i]]].name);
     }
   }
-  return at_most(160, text);
+  return truncated(160, text);
 }
 
 std::string text_of(const PatternFinding& finding, const Artefact& artefact, const Pattern& pattern) {
@@ -175,12 +175,12 @@ Expected<PlatePlacement> evaluate(const Session& session, const Artefact& artefa
   plate.u_scale = u_of_scale(session, artefact, pattern, *fit, scatter, temperature);
   const double freedom = static_cast<double>(std::max<Eigen::Index>(1, 3 * n - 7));
   plate.k_scale = coverage_factor_of(scatter / std::sqrt(fit->spread), freedom, plate.u_scale);
-  const Strangeness strangeness = strangeness_of(pattern.measured, pattern.certified);
-  plate.limit = strangeness.limit;
+  const BallOutlierTest studentised = studentised_residuals(pattern.measured, pattern.certified);
+  plate.limit = studentised.limit;
   for (Eigen::Index i = 0; i < n; ++i) {
     plate.balls.push_back({artefact.features[pattern.features[i]].name,
-                           fit->to_from.rotation.transpose() * fit->residuals.col(i), strangeness.distances(i),
-                           strangeness.limit > 0.0 && strangeness.distances(i) > strangeness.limit});
+                           fit->to_from.rotation.transpose() * fit->residuals.col(i), studentised.distances(i),
+                           studentised.limit > 0.0 && studentised.distances(i) > studentised.limit});
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = i + 1; j < n; ++j) {
@@ -214,7 +214,7 @@ void tell(const PlatePlacement& plate, Verification& verification) {
     return;
   }
   for (const BallResidual& ball : plate.balls) {
-    if (ball.stands_out) {
+    if (ball.is_outlier) {
       verification.warnings.push_back(fmt::format(
           "{}: ball {} is off by {:.1f} um where the others are off by {:.1f} um rms: moved, dirty, or wrong on the "
           "certificate",
@@ -226,7 +226,7 @@ void tell(const PlatePlacement& plate, Verification& verification) {
     for (const auto& name : plate.not_measured) {
       names += (names.empty() ? "" : ", ") + name;
     }
-    verification.missing.push_back(fmt::format("{}: not measured: {}", where, at_most(120, names)));
+    verification.missing.push_back(fmt::format("{}: not measured: {}", where, truncated(120, names)));
   }
 }
 

@@ -17,7 +17,7 @@ struct BallResidual {
   /// Distance from where the pose of all the others foretells it, in standard deviations by their scatter
   /// (Hotelling's T; the same in all directions where there are fewer than nine balls).
   double standardised = 0.0;
-  bool stands_out = false;
+  bool is_outlier = false;
 };
 
 /// One placement (and repeat) of a plate.

@@ -15,8 +15,8 @@
 namespace artcal {
 namespace {
 
-constexpr int most_rounds = 100;
-constexpr double settled = 1e-12;  // of the size of the plate
+constexpr int max_rounds = 100;
+constexpr double tolerance = 1e-12;  // of the size of the plate
 
 double turn_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return std::abs(Eigen::AngleAxisd(Eigen::Matrix3d(a.transpose() * b)).angle());
@@ -31,7 +31,7 @@ Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& place
   Eigen::Matrix3Xd mean = certified;
   std::vector<Eigen::Matrix3Xd> moved(placements.size());
   std::vector<Eigen::Matrix3d> turns(placements.size());
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     Eigen::Matrix3Xd next = Eigen::Matrix3Xd::Zero(3, certified.cols());
     for (std::size_t i = 0; i < placements.size(); ++i) {
       const auto fit = fit_rigid(mean, placements[i]);
@@ -44,7 +44,7 @@ Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& place
     }
     const double change = (next - mean).norm();
     mean = next;
-    if (change < settled * mean.norm()) {
+    if (change < tolerance * mean.norm()) {
       break;
     }
   }

@@ -25,7 +25,7 @@ struct PlateCalibration {
 };
 
 /// The mean shape of the placements (same balls in the same columns): each is moved onto the mean without scale
-/// and the mean taken anew until it stands (generalised Procrustes analysis without scale; Gower 1975), then
+/// and the mean taken anew until it converges (generalised Procrustes analysis without scale; Gower 1975), then
 /// moved onto `certified`. REQUIRES: at least two placements, of as many columns as `certified`. Errors as
 /// fit_rigid.
 Expected<PlateCalibration> mean_shape(const std::vector<Eigen::Matrix3Xd>& placements,

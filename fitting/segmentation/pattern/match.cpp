@@ -8,8 +8,8 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t most_ways = 1000;
-constexpr long most_steps = 3'000'000;
+constexpr std::size_t max_ways = 1000;
+constexpr long max_steps = 3'000'000;
 
 Expected<void> check(const Pattern& pattern, const std::vector<PlaceHint>& hints) {
   const auto count = static_cast<Eigen::Index>(pattern.radii.size());
@@ -67,7 +67,7 @@ class Search {
 
   Expected<Matching> run() {
     step(0, 0);
-    if (steps_ >= most_steps) {
+    if (steps_ >= max_steps) {
       return no_solution(
           "the certified distances leave too many ways to name the spheres; state more distances or coordinates, or "
           "leave fewer surroundings in the scan");
@@ -98,7 +98,7 @@ class Search {
 
   void step(std::size_t depth, int count) {
     const auto left = std::min(order_.size() - depth, found_.size() - static_cast<std::size_t>(count));
-    if (++steps_ >= most_steps || count + static_cast<int>(left) < best_) {
+    if (++steps_ >= max_steps || count + static_cast<int>(left) < best_) {
       return;
     }
     if (depth == order_.size()) {
@@ -135,7 +135,7 @@ class Search {
       matching_ = {};
       best_ = count;
     }
-    if (matching_.ways.size() < most_ways) {
+    if (matching_.ways.size() < max_ways) {
       matching_.ways.push_back({now_, count, 0.0, 0.0});
     } else {
       matching_.there_are_more = true;

@@ -11,7 +11,7 @@
 
 namespace artcal {
 
-/// What a certificate says of points (centres of spheres) by which they can be told apart.
+/// What a certificate says of points (centres of spheres) by which they can be distinguished.
 struct Pattern {
   std::vector<double> radii;  ///< one a point, mm; only found points of the same radius answer it
   /// Symmetric, mm; NaN where the certificate does not say.
@@ -34,7 +34,7 @@ struct Assignment {
 
 struct Matching {
   /// All ways to lay the pattern over most of the found points with every distance inside the tolerance, the
-  /// smallest deviation first. One: the points are told. Several: the artefact's distances do not tell them
+  /// smallest deviation first. One: the points are told. Several: the artefact's distances do not determine them
   /// apart. None: nothing fits.
   std::vector<Assignment> ways;
   bool there_are_more = false;   ///< than the 1000 ways listed

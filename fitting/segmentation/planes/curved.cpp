@@ -12,7 +12,7 @@ bool is_curved(const Eigen::Matrix3Xd& points, const Plane& plane) {
   constexpr int flat_terms = 3;
   constexpr int terms = 6;
   constexpr double beyond_chance = 8.0;  // F with 3 degrees of freedom: one in thousands, also with few points
-  constexpr double most_of_extent = 3e-3;
+  constexpr double max_of_extent = 3e-3;
   const Eigen::Index count = points.cols();
   if (count <= terms) {
     return false;
@@ -44,7 +44,7 @@ bool is_curved(const Eigen::Matrix3Xd& points, const Plane& plane) {
   const double part = squares_left(flat_terms) - left;
   const double variance = left / static_cast<double>(count - terms);
   return part > beyond_chance * (terms - flat_terms) * variance &&
-         std::sqrt(part / static_cast<double>(count)) > most_of_extent * extent;
+         std::sqrt(part / static_cast<double>(count)) > max_of_extent * extent;
 }
 
 }  // namespace artcal::segmentation

@@ -16,8 +16,8 @@ namespace {
 
 using namespace segmentation;
 
-constexpr std::size_t fewest_points = 20;
-constexpr std::size_t most_neighbourhoods = 3000;  // of points: their time goes with the square
+constexpr std::size_t min_points = 20;
+constexpr std::size_t max_neighbourhoods = 3000;  // of points: their time goes with the square
 
 Eigen::Matrix3Xd columns(const Points& points, const std::vector<int>& which) {
   Eigen::Matrix3Xd some(3, static_cast<Eigen::Index>(which.size()));
@@ -59,13 +59,13 @@ class PlaneFinder {
                              : (flat.centroids.colwise() - flat.centroids.rowwise().mean()).cwiseAbs().maxCoeff();
     const double float_rounding = 8.0 * reach * static_cast<double>(std::numeric_limits<float>::epsilon());
     const double proposal = std::max({3.0 * flat.noise, 1e-6 * patch_size, float_rounding});
-    const int most_tries = 4 * search_.count + 8;
-    for (int tries = 0; tries < most_tries && !is_done(); ++tries) {
+    const int max_tries = 4 * search_.count + 8;
+    for (int tries = 0; tries < max_tries && !is_done(); ++tries) {
       const auto proposed = propose_plane(flat.centroids, used, proposal);
       if (!proposed) {
         break;
       }
-      auto found = settled(flat, *proposed, 2.0 * proposal);
+      auto found = converged_plane(flat, *proposed, 2.0 * proposal);
       if (found && is_part_of_another(*found)) {
         found.reset();
       }
@@ -117,12 +117,12 @@ class PlaneFinder {
     return own;
   }
 
-  [[nodiscard]] std::optional<FoundPlane> settled(const FlatPatches& flat, Plane plane, double width) const {
-    constexpr int most_rounds = 10;
+  [[nodiscard]] std::optional<FoundPlane> converged_plane(const FlatPatches& flat, Plane plane, double width) const {
+    constexpr int max_rounds = 10;
     FoundPlane found;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       auto own = points_in(flat, plane, width);
-      if (own.size() < fewest_points) {
+      if (own.size() < min_points) {
         return std::nullopt;
       }
       if (own == found.points) {
@@ -160,9 +160,9 @@ Expected<std::vector<FoundPlane>> find_planes(const Points& points, const PlaneS
   }
   PlaneFinder finder(points, search);
   // Larger cubes for planes of which the scan has fewer points than of the rest.
-  constexpr int most_sizes = 4;
+  constexpr int max_sizes = 4;
   double edge = search.patch;
-  for (int size = 0; size < most_sizes && !finder.is_done(); ++size, edge *= 2.0) {
+  for (int size = 0; size < max_sizes && !finder.is_done(); ++size, edge *= 2.0) {
     const auto grid = VoxelGrid::make(points, edge);
     if (!grid) {
       return tl::unexpected(grid.error());
@@ -171,7 +171,7 @@ Expected<std::vector<FoundPlane>> find_planes(const Points& points, const PlaneS
   }
   for (const int neighbours : {12, 30}) {
     const auto left = finder.untaken();
-    if (!finder.is_done() && left.size() >= fewest_points && left.size() <= most_neighbourhoods) {
+    if (!finder.is_done() && left.size() >= min_points && left.size() <= max_neighbourhoods) {
       finder.look_at(flat_neighbourhoods(points, left, neighbours), edge);
     }
   }

@@ -9,7 +9,7 @@
 namespace artcal::segmentation {
 namespace {
 
-constexpr double fewest_in_patch = 5.0;
+constexpr double min_in_patch = 5.0;
 
 struct Flat {
   Eigen::Vector3d centroid, normal;
@@ -49,7 +49,7 @@ class Collector {
 
 // What the points show about `origin`, if it is flat and no line.
 std::optional<Flat> flat_of(const Moments& moments, const Eigen::Vector3d& origin) {
-  if (moments.count < fewest_in_patch) {
+  if (moments.count < min_in_patch) {
     return std::nullopt;
   }
   const Eigen::Vector3d mean = moments.sum / moments.count;

@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double band_of_radius = 0.1;
 constexpr double foreign_of_radius = 0.5;
-constexpr double most_far_off = 0.05;  // of the points
+constexpr double max_far_off = 0.05;  // of the points
 constexpr double margin = 15.0 * pi / 180.0;
 constexpr double hangs_together = 25.0 * pi / 180.0;
 constexpr int cells_per_edge = 17;
@@ -129,7 +129,7 @@ BallRegion ball_region(const Points& points, const Sphere& sphere) {
 
 bool BallRegion::is_clear() const {
   const auto count = static_cast<double>(points.size());
-  return far_off <= most_far_off * count && beside_foreign <= count;
+  return far_off <= max_far_off * count && beside_foreign <= count;
 }
 
 }  // namespace artcal

@@ -15,7 +15,7 @@ struct BallRegion {
   int beside_foreign = 0;   ///< points within the band that were left out because of where they lie
 
   /// Few of the points are far off, and most of those within the band are among them: the ball ends where something
-  /// else begins. Else neither size nor form can be told of it.
+  /// else begins. Else neither size nor form can be determined of it.
   [[nodiscard]] bool is_clear() const;
 };
 

@@ -14,12 +14,12 @@
 namespace artcal::segmentation {
 namespace {
 
-constexpr int fewest_points = 10;
-constexpr double least_coverage = 0.03;      // a cap of 20 degrees around its pole
-constexpr double least_extent = 0.1;         // of the radius: rms of the points across their narrowest band
-constexpr double most_noise = 0.04;          // of the radius
-constexpr double most_out_of_round = 0.004;  // of the radius: no ball is that far from round
-constexpr double least_share = 0.3;          // of the points next to the surface
+constexpr int min_points = 10;
+constexpr double least_coverage = 0.03;     // a cap of 20 degrees around its pole
+constexpr double least_extent = 0.1;        // of the radius: rms of the points across their narrowest band
+constexpr double max_noise = 0.04;          // of the radius
+constexpr double max_out_of_round = 0.004;  // of the radius: no ball is that far from round
+constexpr double least_share = 0.3;         // of the points next to the surface
 
 std::string at(const Eigen::Vector3d& p, double radius) { return point_text(p, 0.01 * radius); }
 
@@ -47,15 +47,15 @@ std::optional<tl::unexpected<RejectedSphere>> objection(const Trial& trial, cons
                                                         const Eigen::Vector3d& centre, int next_to_it) {
   const double radius = trial.radius;
   const int count = surface.count;
-  if (count < fewest_points) {
+  if (count < min_points) {
     return trial.rejected(centre, count, RejectionReason::TooFewPoints,
                           fmt::format("{} points on a sphere of radius {:.4g} mm about {}, at least {} are needed",
-                                      count, radius, at(centre, radius), fewest_points));
+                                      count, radius, at(centre, radius), min_points));
   }
-  if (surface.settled.noise > most_noise * radius) {
+  if (surface.sphere.noise > max_noise * radius) {
     return trial.rejected(centre, count, RejectionReason::NotASphere,
                           fmt::format("points near {} scatter by {:.2g} mm about a sphere of radius {:.4g} mm",
-                                      at(centre, radius), surface.settled.noise, radius));
+                                      at(centre, radius), surface.sphere.noise, radius));
   }
   if (count < least_share * next_to_it) {
     return trial.rejected(centre, count, RejectionReason::NotASphere,
@@ -67,7 +67,7 @@ std::optional<tl::unexpected<RejectedSphere>> objection(const Trial& trial, cons
     return trial.rejected(
         centre, count, RejectionReason::TooLittleSeen,
         fmt::format("{} points about {} lie on a band of a sphere of radius {:.4g} mm, {:.2g} mm wide in "
-                    "standard deviation: too narrow to tell its centre",
+                    "standard deviation: too narrow to determine its centre",
                     count, at(centre, radius), radius, surface.narrowest * radius));
   }
   if (surface.coverage < least_coverage) {
@@ -82,8 +82,8 @@ std::optional<tl::unexpected<RejectedSphere>> objection(const Trial& trial, cons
 
 // From the vote to the surface next to it. The cubes that voted are few and lie on the surface, however many others a
 // dense scan fills with mixed pixels.
-std::optional<Settled> rough_place(const Candidate& candidate, double radius) {
-  return settle(candidate.surface, candidate.centre, radius, 0.25 * radius);
+std::optional<SphereFit> rough_place(const Candidate& candidate, double radius) {
+  return fit_to_surface(candidate.surface, candidate.centre, radius, 0.25 * radius);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ tl::expected<FoundSphere, RejectedSphere> examine(const Points& points, const Vo
                                                   const SphereSearch& search) {
   const Trial trial{points, radius, search};
   const auto rough = rough_place(candidate, radius);
-  if (!rough || rough->noise > 2.0 * most_noise * radius) {
+  if (!rough || rough->noise > 2.0 * max_noise * radius) {
     return trial.rejected(
         candidate.centre, static_cast<int>(candidate.surface.cols()), RejectionReason::NotASphere,
         fmt::format("pieces of surface about {} are curved as a sphere of radius {:.4g} mm, but lie on "
@@ -103,16 +103,16 @@ tl::expected<FoundSphere, RejectedSphere> examine(const Points& points, const Vo
   const Eigen::Vector3d centre = rough->centre;
   const std::vector<int> around = grid.within(points, centre, 1.6 * radius);
   const Eigen::Matrix3Xd local = columns(points, around, centre);
-  const auto settled = settle(local, Eigen::Vector3d::Zero(), radius, 0.1 * radius);
-  if (!settled) {
+  const auto sphere = fit_to_surface(local, Eigen::Vector3d::Zero(), radius, 0.1 * radius);
+  if (!sphere) {
     return trial.rejected(centre, static_cast<int>(candidate.surface.cols()), RejectionReason::NotASphere,
                           fmt::format("the points about {} do not determine the centre of a sphere of radius {:.4g} mm",
                                       at(centre, radius), radius));
   }
-  const Surface surface = own_surface(local, *settled, radius);
-  const Eigen::Vector3d middle = centre + surface.settled.centre;
+  const Surface surface = own_surface(local, *sphere, radius);
+  const Eigen::Vector3d middle = centre + surface.sphere.centre;
   const auto next_to_it = static_cast<int>(
-      (((local.colwise() - surface.settled.centre).colwise().norm().array() - radius).abs() < 0.2 * radius).count());
+      (((local.colwise() - surface.sphere.centre).colwise().norm().array() - radius).abs() < 0.2 * radius).count());
   if (auto no = objection(trial, surface, middle, next_to_it)) {
     return *no;
   }
@@ -143,7 +143,7 @@ tl::expected<FoundSphere, RejectedSphere> examine(const Points& points, const Vo
                                      at(free->feature.centre, radius), radius));
   }
   if (const double leaves = out_of_round(local, surface, radius);
-      leaves > most_out_of_round * radius + search.distortion) {
+      leaves > max_out_of_round * radius + search.distortion) {
     return trial.rejected(
         middle, surface.count, RejectionReason::NotASphere,
         fmt::format("the surface about {} leaves a sphere of radius {:.4g} mm by {:.2g} mm from place to "

@@ -17,10 +17,10 @@ namespace {
 
 using namespace segmentation;
 
-constexpr std::size_t most_rejected = 200;
-constexpr std::size_t most_candidates = 400;
-constexpr int fewest_fine_votes = 8;
-constexpr int fewest_coarse_votes = 5;
+constexpr std::size_t max_rejected = 200;
+constexpr std::size_t max_candidates = 400;
+constexpr int min_fine_votes = 8;
+constexpr int min_coarse_votes = 5;
 
 Expected<void> check(const Points& points, const SphereSearch& search) {
   for (const double radius : search.radii) {
@@ -50,13 +50,13 @@ std::vector<Candidate> candidates(const VoxelGrid& grid, double radius) {
       const bool known = std::any_of(places.begin(), places.end(), [&](const Candidate& place) {
         return (place.centre - centre).norm() < 0.3 * radius;
       });
-      if (!known && places.size() < most_candidates) {
+      if (!known && places.size() < max_candidates) {
         places.push_back({centre, level.centroids_of(peak.cubes)});
       }
     }
   };
-  add(grid, fewest_fine_votes);
-  add(grid.coarsened(), fewest_coarse_votes);
+  add(grid, min_fine_votes);
+  add(grid.coarsened(), min_coarse_votes);
   return places;
 }
 
@@ -97,7 +97,7 @@ void tidy(std::vector<RejectedSphere>& rejected, const std::vector<FoundSphere>&
         std::any_of(spheres.begin(), spheres.end(),
                     [&](const FoundSphere& s) { return stands_in(s.fitted.feature); }) ||
         std::any_of(kept.begin(), kept.end(), [&](const RejectedSphere& k) { return stands_in(k.sphere); });
-    if (!known && kept.size() < most_rejected) {
+    if (!known && kept.size() < max_rejected) {
       kept.push_back(std::move(one));
     }
   }

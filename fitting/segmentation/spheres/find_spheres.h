@@ -33,7 +33,7 @@ struct FoundSphere {
 
 enum class RejectionReason {
   TooFewPoints,
-  TooLittleSeen,  ///< so small a part of the surface does not tell a sphere from anything else
+  TooLittleSeen,  ///< so small a part of the surface does not determine a sphere from anything else
   WrongRadius,
   NotASphere,  ///< points scatter about it, or only touch it: stem, cylinder, edge, table
   Overlaps,    ///< a better sphere stands there

@@ -47,7 +47,7 @@ double out_of_round(const Eigen::Matrix3Xd& points, const Surface& surface, doub
   double squares = 0.0;
   int count = 0;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const Eigen::Vector3d way = points.col(i) - surface.settled.centre;
+    const Eigen::Vector3d way = points.col(i) - surface.sphere.centre;
     const double d = way.norm() - radius;
     if (surface.is_own[static_cast<std::size_t>(i)] != 0 || std::abs(d) < beside * radius) {
       ++count;

@@ -113,14 +113,14 @@ double coverage_of(const Eigen::Matrix3Xd& points, const Surface& surface) {
       own.push_back(i);
     }
   }
-  return sphere_coverage(points(Eigen::all, own).colwise() - surface.settled.centre);
+  return sphere_coverage(points(Eigen::all, own).colwise() - surface.sphere.centre);
 }
 
 double narrowest_extent(const Eigen::Matrix3Xd& points, const Surface& surface) {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     if (surface.is_own[static_cast<std::size_t>(i)] != 0) {
-      const Eigen::Vector3d u = (points.col(i) - surface.settled.centre).normalized();
+      const Eigen::Vector3d u = (points.col(i) - surface.sphere.centre).normalized();
       squares.noalias() += u * u.transpose();
     }
   }
@@ -130,9 +130,9 @@ double narrowest_extent(const Eigen::Matrix3Xd& points, const Surface& surface) 
 
 }  // namespace
 
-Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double radius) {
+Surface own_surface(const Eigen::Matrix3Xd& points, const SphereFit& start, double radius) {
   Surface surface;
-  surface.settled = start;
+  surface.sphere = start;
   const auto count = static_cast<std::size_t>(points.cols());
   Eigen::VectorXd distances = distances_to(points, start.centre, radius);
   const DirectionCells directions(cells_per_edge(distances, radius));
@@ -140,9 +140,9 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
   for (std::size_t i = 0; i < count; ++i) {
     cell_of[i] = directions.cell_of(points.col(static_cast<Eigen::Index>(i)) - start.centre);
   }
-  constexpr int most_rounds = 10;
-  for (int round = 0; round < most_rounds; ++round) {
-    const double noise = surface.settled.noise;
+  constexpr int max_rounds = 10;
+  for (int round = 0; round < max_rounds; ++round) {
+    const double noise = surface.sphere.noise;
     std::vector<Cell> cells(directions.size());
     for (std::size_t i = 0; i < count; ++i) {
       const double d = distances(static_cast<Eigen::Index>(i));
@@ -171,20 +171,20 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double
         own_distances.push_back(d);
       }
     }
-    const bool stands = is_own == surface.is_own;
+    const bool converged = is_own == surface.is_own;
     surface.is_own = std::move(is_own);
     surface.count = static_cast<int>(own_distances.size());
-    if (stands || surface.count < 4) {
+    if (converged || surface.count < 4) {
       break;
     }
-    surface.settled.centre = fitted_centre(points, surface.is_own, surface.settled.centre, radius);
-    distances = distances_to(points, surface.settled.centre, radius);
+    surface.sphere.centre = fitted_centre(points, surface.is_own, surface.sphere.centre, radius);
+    distances = distances_to(points, surface.sphere.centre, radius);
     for (std::size_t i = 0, k = 0; i < count; ++i) {
       if (surface.is_own[i] != 0) {
         own_distances[k++] = std::abs(distances(static_cast<Eigen::Index>(i)));
       }
     }
-    surface.settled.noise = std::max(1e-12 * radius, sigma_per_median() * median_or(own_distances, noise));
+    surface.sphere.noise = std::max(1e-12 * radius, sigma_per_median() * median_or(own_distances, noise));
   }
   surface.coverage = coverage_of(points, surface);
   surface.narrowest = narrowest_extent(points, surface);

@@ -12,7 +12,7 @@ namespace artcal::segmentation {
 struct Surface {
   std::vector<char> is_own;  ///< one a point
   int count = 0;             ///< of them
-  Settled settled;
+  SphereFit sphere;
   double coverage = 0.0;  ///< share of the sphere that they cover
   /// Root mean square of the points' distances from the plane through the centre that they are nearest to, of the
   /// radius: a cap of 20 degrees has 0.17, a ring next to nothing.
@@ -22,6 +22,6 @@ struct Surface {
 /// A point is the sphere's own if it lies within four standard deviations of it, and if the cell of directions
 /// it lies in shows the sphere and nothing else: where another surface comes in (stem, table) or where readings
 /// scatter (edges, mixed pixels), part of what is foreign lies within the noise and would pull the centre.
-Surface own_surface(const Eigen::Matrix3Xd& points, const Settled& start, double radius);
+Surface own_surface(const Eigen::Matrix3Xd& points, const SphereFit& start, double radius);
 
 }  // namespace artcal::segmentation

@@ -112,8 +112,8 @@ double sphere_coverage(const Eigen::Matrix3Xd& directions) {
   const auto count = static_cast<double>(even.size());
   const std::vector<Facet> facets = facets_of(even);
   double seen = whole;
-  constexpr int most_rounds = 50;
-  for (int round = 0; round < most_rounds; ++round) {
+  constexpr int max_rounds = 50;
+  for (int round = 0; round < max_rounds; ++round) {
     double area = 0.0;
     int taken = 0;
     for (const Facet& facet : facets) {

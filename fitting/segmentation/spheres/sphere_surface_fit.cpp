@@ -41,15 +41,15 @@ double median_of(std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<Settled> settle(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& start, double radius,
-                              double width) {
+std::optional<SphereFit> fit_to_surface(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& start, double radius,
+                                        double width) {
   const double rounding = 64.0 * std::numeric_limits<double>::epsilon() *
                           (radius + (points.cols() > 0 ? points.cwiseAbs().maxCoeff() : 0.0));
-  Settled settled{start, radius};
+  SphereFit sphere{start, radius};
   const double widest = width;
-  constexpr int most_steps = 40;
-  for (int step = 0; step < most_steps; ++step) {
-    Shell shell = shell_of(points, settled.centre, radius, width);
+  constexpr int max_steps = 40;
+  for (int step = 0; step < max_steps; ++step) {
+    Shell shell = shell_of(points, sphere.centre, radius, width);
     if (shell.distances.size() < 4) {
       return std::nullopt;
     }
@@ -62,17 +62,17 @@ std::optional<Settled> settle(const Eigen::Matrix3Xd& points, const Eigen::Vecto
     if (move.norm() > radius) {
       return std::nullopt;
     }
-    settled.centre += move;
-    settled.noise = std::max(rounding, sigma_per_median() * median_of(shell.distances));
+    sphere.centre += move;
+    sphere.noise = std::max(rounding, sigma_per_median() * median_of(shell.distances));
     // Not at once: in a wide shell the median still holds what the centre's own error makes of distances.
-    const double next = std::max(4.0 * settled.noise, 0.5 * width);
-    const bool stands = move.norm() < 1e-3 * settled.noise && std::abs(next - width) < 1e-3 * width;
+    const double next = std::max(4.0 * sphere.noise, 0.5 * width);
+    const bool converged = move.norm() < 1e-3 * sphere.noise && std::abs(next - width) < 1e-3 * width;
     width = std::min(next, widest);
-    if (stands) {
+    if (converged) {
       break;
     }
   }
-  return settled;
+  return sphere;
 }
 
 }  // namespace artcal::segmentation

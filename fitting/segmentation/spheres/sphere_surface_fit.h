@@ -10,11 +10,11 @@ namespace artcal::segmentation {
 /// narrows from `width` to four standard deviations of
 /// what it holds. None where the points do not hold a centre. `points`
 /// lie around the start; they are not checked.
-struct Settled {
+struct SphereFit {
   Eigen::Vector3d centre;
   double noise;  ///< standard deviation of the distances, from their median
 };
-std::optional<Settled> settle(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& start, double radius,
-                              double width);
+std::optional<SphereFit> fit_to_surface(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& start, double radius,
+                                        double width);
 
 }  // namespace artcal::segmentation

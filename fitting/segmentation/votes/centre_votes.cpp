@@ -7,7 +7,7 @@
 namespace artcal::segmentation {
 namespace {
 
-constexpr double fewest_points = 6.0;
+constexpr double min_points = 6.0;
 constexpr double points_that_tell_flatness = 12.0;
 
 struct Patch {
@@ -48,7 +48,7 @@ CentreVotes centre_votes(const VoxelGrid& grid, double radius) {
   std::vector<Eigen::Vector3d> places;
   const std::vector<Moments> patches = grid.neighbourhoods();
   for (std::size_t cube = 0; cube < patches.size(); ++cube) {
-    if (patches[cube].count < fewest_points) {
+    if (patches[cube].count < min_points) {
       continue;
     }
     const Patch patch = patch_of(patches[cube]);

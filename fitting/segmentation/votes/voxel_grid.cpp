@@ -42,11 +42,11 @@ Expected<VoxelGrid> VoxelGrid::make(const Points& points, double edge) {
   grid.edge_ = edge;
   grid.origin_ = points.rowwise().minCoeff();
   const double reach = (points.rowwise().maxCoeff() - grid.origin_).maxCoeff();
-  if (!(reach < edge * most_cubes)) {
+  if (!(reach < edge * max_cubes)) {
     return bad_input(
         fmt::format("the points reach over {:.4g} mm, more than {:.2g} times the {:.4g} mm that are looked "
                     "at together; is the unit right, and are there stray points far away?",
-                    reach, most_cubes, edge));
+                    reach, max_cubes, edge));
   }
   const auto count = static_cast<std::size_t>(points.cols());
   std::vector<Keyed> keyed(count);
@@ -113,7 +113,7 @@ VoxelGrid VoxelGrid::coarsened() const {
 
 template <typename Visit>
 void VoxelGrid::visit_around(const Eigen::Vector3d& centre, double radius, const Visit& visit) const {
-  const auto bound = [&](double value) { return std::clamp(value, 0.0, edge_ * (most_cubes + 1.0)); };
+  const auto bound = [&](double value) { return std::clamp(value, 0.0, edge_ * (max_cubes + 1.0)); };
   std::array<Key, 3> low{};
   std::array<Key, 3> high{};
   for (int axis = 0; axis < 3; ++axis) {

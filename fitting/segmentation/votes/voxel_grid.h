@@ -27,7 +27,7 @@ struct Moments {
 class VoxelGrid {
  public:
   static constexpr int bits = 21;
-  static constexpr double most_cubes = static_cast<double>((1 << bits) - 4);  ///< along one axis
+  static constexpr double max_cubes = static_cast<double>((1 << bits) - 4);  ///< along one axis
 
   /// REQUIRES finite points, edge > 0 and points.cols() < 2³¹.
   /// Errors: BadInput where the points reach over more than `most_cubes` edges.

@@ -50,18 +50,18 @@ std::vector<double> sines_of(const std::vector<double>& q) {
 }
 
 Eigen::Vector3d tip_of(const Arm& arm, const std::vector<double>& q, int probe) {
-  return Sweep(arm, {}, probe).tip_in_base(sines_of(q));
+  return ForwardKinematics(arm, {}, probe).tip_in_base(sines_of(q));
 }
 
 Eigen::Matrix3Xd structural_derivative(const Case& c) {
   Eigen::Matrix3Xd derivative(3, static_cast<Eigen::Index>(c.parameters.size()));
-  Sweep(c.arm, c.parameters, c.probe).tip_in_base(sines_of(c.q), derivative.data());
+  ForwardKinematics(c.arm, c.parameters, c.probe).tip_in_base(sines_of(c.q), derivative.data());
   return derivative;
 }
 
 Eigen::Matrix3Xd derivative_by_joints(const Case& c) {
   Eigen::Matrix3Xd derivative(3, static_cast<Eigen::Index>(c.q.size()));
-  Sweep(c.arm, c.parameters, c.probe).tip_by_joints(sines_of(c.q), derivative.data());
+  ForwardKinematics(c.arm, c.parameters, c.probe).tip_by_joints(sines_of(c.q), derivative.data());
   return derivative;
 }
 
@@ -84,7 +84,7 @@ Eigen::Matrix3Xd automatic_derivative(const Case& c) {
   return derivative;
 }
 
-TEST(Sweep, TipIsTheProductOfTheMatrices) {
+TEST(ForwardKinematics, TipIsTheProductOfTheMatrices) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     const auto expected = testing::tip_in_base(testing::ArmNumbers<double>(c.arm), c.q, c.probe);
@@ -92,19 +92,19 @@ TEST(Sweep, TipIsTheProductOfTheMatrices) {
   }
 }
 
-TEST(Sweep, EveryCallGivesTheSameTip) {
+TEST(ForwardKinematics, EveryCallGivesTheSameTip) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
-    const Sweep sweep(c.arm, c.parameters, c.probe);
+    const ForwardKinematics kinematics(c.arm, c.parameters, c.probe);
     const auto sines = sines_of(c.q);
     std::vector<double> derivative(3 * std::max(c.parameters.size(), c.q.size()));
-    const Eigen::Vector3d tip = sweep.tip_in_base(sines);
-    ASSERT_EQ(tip, sweep.tip_in_base(sines, derivative.data())) << "arm " << i;
-    ASSERT_EQ(tip, sweep.tip_by_joints(sines, derivative.data())) << "arm " << i;
+    const Eigen::Vector3d tip = kinematics.tip_in_base(sines);
+    ASSERT_EQ(tip, kinematics.tip_in_base(sines, derivative.data())) << "arm " << i;
+    ASSERT_EQ(tip, kinematics.tip_by_joints(sines, derivative.data())) << "arm " << i;
   }
 }
 
-TEST(Sweep, StructuralDerivativeIsTheAutomaticOne) {
+TEST(ForwardKinematics, StructuralDerivativeIsTheAutomaticOne) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     const Eigen::Matrix3Xd difference =
@@ -116,7 +116,7 @@ TEST(Sweep, StructuralDerivativeIsTheAutomaticOne) {
   }
 }
 
-TEST(Sweep, StructuralDerivativeIsTheCentralDifference) {
+TEST(ForwardKinematics, StructuralDerivativeIsTheCentralDifference) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     const Eigen::Matrix3Xd derivative = structural_derivative(c);
@@ -135,7 +135,7 @@ TEST(Sweep, StructuralDerivativeIsTheCentralDifference) {
   }
 }
 
-TEST(Sweep, DerivativeByJointsIsTheAutomaticOneAndTheCentralDifference) {
+TEST(ForwardKinematics, DerivativeByJointsIsTheAutomaticOneAndTheCentralDifference) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     const Eigen::Matrix3Xd derivative = derivative_by_joints(c);
@@ -151,7 +151,7 @@ TEST(Sweep, DerivativeByJointsIsTheAutomaticOneAndTheCentralDifference) {
   }
 }
 
-TEST(Sweep, ColumnsFollowTheParametersAskedFor) {
+TEST(ForwardKinematics, ColumnsFollowTheParametersAskedFor) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     const Eigen::Matrix3Xd all = structural_derivative(c);
@@ -163,14 +163,14 @@ TEST(Sweep, ColumnsFollowTheParametersAskedFor) {
       columns.push_back(k);
     }
     Eigen::Matrix3Xd selected = Eigen::Matrix3Xd::Constant(3, static_cast<Eigen::Index>(some.size()), 1e300);
-    const Sweep sweep(c.arm, some, c.probe);
-    ASSERT_EQ(sweep.column_count(), selected.cols());
-    sweep.tip_in_base(sines_of(c.q), selected.data());
+    const ForwardKinematics kinematics(c.arm, some, c.probe);
+    ASSERT_EQ(kinematics.column_count(), selected.cols());
+    kinematics.tip_in_base(sines_of(c.q), selected.data());
     ASSERT_EQ(selected, all(Eigen::all, columns)) << "arm " << i;
   }
 }
 
-TEST(Sweep, TipsOfOtherProbesDoNotMoveThisOne) {
+TEST(ForwardKinematics, TipsOfOtherProbesDoNotMoveThisOne) {
   int seen = 0;
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
@@ -186,25 +186,25 @@ TEST(Sweep, TipsOfOtherProbesDoNotMoveThisOne) {
   EXPECT_GT(seen, arm_count / 2);
 }
 
-TEST(Sweep, AllocatesNothing) {
+TEST(ForwardKinematics, AllocatesNothing) {
   if (!testing::counts_allocations) {
     GTEST_SKIP() << "a sanitizer owns malloc";
   }
   const Case c(3);
-  const Sweep sweep(c.arm, c.parameters, c.probe);
+  const ForwardKinematics kinematics(c.arm, c.parameters, c.probe);
   Arm bent = c.arm;
   bent.joints[0].errors = {{1e-4, 0.0}, {0.0, 1e-4}, 1e-4, 0.0, 1e-8, 1e-5};
   bent.joints[0].mass = 1.0;
-  const Sweep bent_sweep(bent, all_parameters(bent), c.probe);
+  const ForwardKinematics bent_kinematics(bent, all_parameters(bent), c.probe);
   std::vector<double> sines(2 * c.q.size());
-  std::vector<double> derivative(3 * static_cast<std::size_t>(bent_sweep.column_count()));
+  std::vector<double> derivative(3 * static_cast<std::size_t>(bent_kinematics.column_count()));
   const long before = testing::allocation_count.load();
   joint_sines(c.q, sines);
-  Eigen::Vector3d tip = sweep.tip_in_base(sines);
-  tip += sweep.tip_in_base(sines, derivative.data());
-  tip += sweep.tip_by_joints(sines, derivative.data());
-  tip += bent_sweep.tip_in_base({sines, c.q}, derivative.data());
-  tip += bent_sweep.tip_by_joints({sines, c.q}, derivative.data());
+  Eigen::Vector3d tip = kinematics.tip_in_base(sines);
+  tip += kinematics.tip_in_base(sines, derivative.data());
+  tip += kinematics.tip_by_joints(sines, derivative.data());
+  tip += bent_kinematics.tip_in_base({sines, c.q}, derivative.data());
+  tip += bent_kinematics.tip_by_joints({sines, c.q}, derivative.data());
   const long allocations = testing::allocation_count.load() - before;
   EXPECT_EQ(allocations, 0) << tip;
   // The counter itself counts.
@@ -213,7 +213,7 @@ TEST(Sweep, AllocatesNothing) {
 }
 
 // The arm of Gao, Lu, Yang 2013 stretched out along its axes: worked out by hand.
-TEST(Sweep, KnownPoseOfAKnownArm) {
+TEST(ForwardKinematics, KnownPoseOfAKnownArm) {
   Arm arm;
   const double right = std::acos(0.0);
   for (const double d : {300.0, 65.5, 792.7, 65.5, 883.2, 0.0}) {
@@ -226,7 +226,7 @@ TEST(Sweep, KnownPoseOfAKnownArm) {
   EXPECT_NEAR(reach(arm), 65.5 + 792.7 + 65.5 + 883.2 + 183.5, 1e-12);
 }
 
-TEST(JointSines, AreSineAndCosineInTurn) {
+TEST(JointReading, AreSineAndCosineInTurn) {
   const std::array<double, 2> q{0.5, -2.0};
   std::array<double, 4> sines{};
   joint_sines(q, sines);

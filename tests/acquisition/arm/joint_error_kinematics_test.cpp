@@ -63,12 +63,12 @@ struct Case {
     length = 1.0 + reach(arm) + std::abs(arm.joints[0].a) + std::abs(arm.joints[0].d);
   }
 
-  [[nodiscard]] JointSines reading() const { return {sines, q, temperature}; }
-  [[nodiscard]] double warmth() const { return temperature - arm.reference_temperature; }
+  [[nodiscard]] JointReading reading() const { return {sines, q, temperature}; }
+  [[nodiscard]] double temperature_offset() const { return temperature - arm.reference_temperature; }
 };
 
 Eigen::Vector3d expected_tip(const Case& c) {
-  return testing::tip_with_errors(testing::ArmNumbers<double>(c.arm), c.q, c.probe, c.warmth());
+  return testing::tip_with_errors(testing::ArmNumbers<double>(c.arm), c.q, c.probe, c.temperature_offset());
 }
 
 // By the parameters and then by the joint readings.
@@ -82,7 +82,7 @@ Eigen::Matrix3Xd expected_derivative(const Case& c) {
   for (const double angle : c.q) {
     q.emplace_back(angle, k++);
   }
-  const auto tip = testing::tip_with_errors(numbers, q, c.probe, c.warmth());
+  const auto tip = testing::tip_with_errors(numbers, q, c.probe, c.temperature_offset());
   Eigen::Matrix3Xd derivative(3, k);
   for (int row = 0; row < 3; ++row) {
     derivative.row(row) = tip[row].v.head(k).transpose();
@@ -90,21 +90,21 @@ Eigen::Matrix3Xd expected_derivative(const Case& c) {
   return derivative;
 }
 
-TEST(SweepWithErrors, TipIsThatOfTheEquations) {
+TEST(ForwardKinematicsWithErrors, TipIsThatOfTheEquations) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
-    const Sweep sweep(c.arm, c.parameters, c.probe);
-    const Eigen::Vector3d tip = sweep.tip_in_base(c.reading());
+    const ForwardKinematics kinematics(c.arm, c.parameters, c.probe);
+    const Eigen::Vector3d tip = kinematics.tip_in_base(c.reading());
     ASSERT_LT((tip - expected_tip(c)).norm(), 4 * rounding * c.length) << "arm " << i;
     std::vector<double> derivative(3 * (c.parameters.size() + c.q.size()));
-    ASSERT_EQ(tip, sweep.tip_in_base(c.reading(), derivative.data())) << "arm " << i;
-    ASSERT_EQ(tip, sweep.tip_by_joints(c.reading(), derivative.data())) << "arm " << i;
+    ASSERT_EQ(tip, kinematics.tip_in_base(c.reading(), derivative.data())) << "arm " << i;
+    ASSERT_EQ(tip, kinematics.tip_by_joints(c.reading(), derivative.data())) << "arm " << i;
     std::vector<double> points(3 * c.q.size());
-    ASSERT_EQ(tip, sweep.axes_in_base(c.reading(), derivative.data(), points.data())) << "arm " << i;
+    ASSERT_EQ(tip, kinematics.axes_in_base(c.reading(), derivative.data(), points.data())) << "arm " << i;
   }
 }
 
-TEST(SweepWithErrors, DerivativesAreTheAutomaticOnes) {
+TEST(ForwardKinematicsWithErrors, DerivativesAreTheAutomaticOnes) {
   // With the errors, and at the rigid arm where an identification begins.
   for (const bool errors : {true, false}) {
     for (int i = 0; i < arm_count; ++i) {
@@ -116,32 +116,32 @@ TEST(SweepWithErrors, DerivativesAreTheAutomaticOnes) {
       ASSERT_LE(count + static_cast<Eigen::Index>(c.q.size()), jet_size);
       const Eigen::Matrix3Xd expected = expected_derivative(c);
       Eigen::Matrix3Xd derivative(3, count);
-      const Sweep sweep(c.arm, c.parameters, c.probe);
-      sweep.tip_in_base(c.reading(), derivative.data());
+      const ForwardKinematics kinematics(c.arm, c.parameters, c.probe);
+      kinematics.tip_in_base(c.reading(), derivative.data());
       for (int k = 0; k < count; ++k) {
         const Parameter& parameter = c.parameters[static_cast<std::size_t>(k)];
         const double size = std::max(expected.col(k).norm(), parameter.is_length() ? 1.0 : c.length);
         ASSERT_LT((derivative.col(k) - expected.col(k)).norm(), 2e-12 * size) << "arm " << i << ", " << parameter.name;
       }
       Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(c.q.size()));
-      sweep.tip_by_joints(c.reading(), by_joints.data());
+      kinematics.tip_by_joints(c.reading(), by_joints.data());
       ASSERT_LT((by_joints - expected.rightCols(by_joints.cols())).norm(), 1e-12 * c.length) << "arm " << i;
     }
   }
 }
 
-TEST(SweepWithErrors, DerivativesAreTheCentralDifferences) {
+TEST(ForwardKinematicsWithErrors, DerivativesAreTheCentralDifferences) {
   for (int i = 0; i < arm_count; ++i) {
     const Case c(i);
     Eigen::Matrix3Xd derivative(3, static_cast<Eigen::Index>(c.parameters.size()));
-    Sweep(c.arm, c.parameters, c.probe).tip_in_base(c.reading(), derivative.data());
+    ForwardKinematics(c.arm, c.parameters, c.probe).tip_in_base(c.reading(), derivative.data());
     for (int k = 0; k < derivative.cols(); ++k) {
       const Parameter& parameter = c.parameters[static_cast<std::size_t>(k)];
       const double h = parameter.is_length() ? 0.1 : 1e-2 * physical_scale(parameter, c.length);
       const auto tip_at = [&](double step) {
         Arm moved = c.arm;
         set_value(moved, parameter, value(c.arm, parameter) + step);
-        return Sweep(moved, {}, c.probe).tip_in_base(c.reading());
+        return ForwardKinematics(moved, {}, c.probe).tip_in_base(c.reading());
       };
       const Eigen::Vector3d slope = (tip_at(h) - tip_at(-h)) / (2.0 * h);
       ASSERT_LT((derivative.col(k) - slope).norm() * h, 1e-10 * c.length) << "arm " << i << ", " << parameter.name;
@@ -150,7 +150,7 @@ TEST(SweepWithErrors, DerivativesAreTheCentralDifferences) {
 }
 
 // Gao's arm held out level: 2 kg at the end of the last link but one, worked out by hand.
-TEST(SweepWithErrors, AStretchedArmSagsByItsWeight) {
+TEST(ForwardKinematicsWithErrors, AStretchedArmSagsByItsWeight) {
   Arm arm;
   arm.joints = {{.a = 0.0, .d = 300.0, .theta = 0.0, .alpha = std::acos(0.0)}, {.a = 1000.0, .d = 0.0}};
   arm.probes.push_back({"probe", {0.0, 0.0, 0.0}, 0.0, false});
@@ -159,7 +159,7 @@ TEST(SweepWithErrors, AStretchedArmSagsByItsWeight) {
   std::vector<double> sines(4);
   const std::vector<double> q{0.0, 0.0};
   joint_sines(q, sines);
-  const Eigen::Vector3d tip = Sweep(arm, {}, 0).tip_in_base({sines, q});
+  const Eigen::Vector3d tip = ForwardKinematics(arm, {}, 0).tip_in_base({sines, q});
   // 2 kg at half a metre: 9807 N·mm. The arm goes down.
   EXPECT_NEAR(tip.z(), 300.0 - 1000.0 * std::sin(9806.65 * 1e-7), 1e-6);
   EXPECT_NEAR(tip.x(), 1000.0, 1e-3);

@@ -14,7 +14,7 @@ namespace {
 using Variables = std::map<std::string, std::string>;
 
 std::string shard_of(const std::string& text, const Variables& variables = {}) {
-  const auto shard = understand_shard(text, [&](const char* name) -> const char* {
+  const auto shard = parse_shard(text, [&](const char* name) -> const char* {
     const auto found = variables.find(name);
     return found == variables.end() ? nullptr : found->second.c_str();
   });

@@ -12,11 +12,11 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // a6 held, a length and an angle identified, correlated by `rho`.
-Calibration calibration(double length, double angle, double rho = 0.0, double held = 0.0) {
+Calibration calibration(double length, double angle, double rho = 0.0, double fixed = 0.0) {
   Calibration made;
   made.parameters = {{"a1", "mm", "identified", length, 0.03},
                      {"theta2", "rad", "identified", angle, 4e-5},
-                     {"a6", "mm", "held", held, 0.0}};
+                     {"a6", "mm", "held", fixed, 0.0}};
   made.covariance.resize(2, 2);
   made.covariance << 0.03 * 0.03, rho * 0.03 * 4e-5, rho * 0.03 * 4e-5, 4e-5 * 4e-5;
   made.entry.certificates = {"bar 1", "bar 2"};

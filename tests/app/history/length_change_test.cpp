@@ -31,13 +31,14 @@ TEST(LengthChange, HowTheBaseStandsDoesNotMatter) {
 }
 
 TEST(LengthChange, OfAnArmThatGrewIsItsShareOfTheLengths) {
-  const double growth = 1e-4;
-  const auto change = length_change(planar(), planar(400.0 * (1.0 + growth), 300.0 * (1.0 + growth)));
+  const double expansion_factor = 1e-4;
+  const auto change =
+      length_change(planar(), planar(400.0 * (1.0 + expansion_factor), 300.0 * (1.0 + expansion_factor)));
   // Lengths of the plane's arm are at most twice its reach. The mean square of the distance of two random tips is
   // 2·(400² + 300²), for the directions of all four links are independent.
-  EXPECT_LT(change->maximum, 1400.0 * growth);
-  EXPECT_GT(change->maximum, 1200.0 * growth);
-  EXPECT_NEAR(change->rms, growth * std::sqrt(2.0 * (400.0 * 400.0 + 300.0 * 300.0)), 0.05 * change->rms);
+  EXPECT_LT(change->maximum, 1400.0 * expansion_factor);
+  EXPECT_GT(change->maximum, 1200.0 * expansion_factor);
+  EXPECT_NEAR(change->rms, expansion_factor * std::sqrt(2.0 * (400.0 * 400.0 + 300.0 * 300.0)), 0.05 * change->rms);
 }
 
 TEST(LengthChange, OfAnEncoderThatSlippedIsThatOfTheOuterLink) {

@@ -70,21 +70,20 @@ TEST(PostgresqlUrl, ShowsNothingOfAUrlWhosePasswordIsNotCertain) {
         "postgresql://u:secret@[::1]secret/a", "postgresql://u:secret@h:secret/a",
         "postgresql://u@h/a?password=secret&secret", "postgresql://u@h/a?secret", "postgresql://u:secret%00@h/a",
         "postgresql://u:secret@h/a%zz", "postgresql://u@h/a?user=u@secret"}) {
-    for (const std::string& text : {understand_store(url).error().text(), without_passwords(std::string("x ") + url)}) {
+    for (const std::string& text : {parse_store(url).error().text(), without_passwords(std::string("x ") + url)}) {
       EXPECT_THAT(text, Not(HasSubstr("secret"))) << url;
     }
-    EXPECT_EQ(understand_store(url).error().code, ErrorCode::Usage) << url;
+    EXPECT_EQ(parse_store(url).error().code, ErrorCode::Usage) << url;
   }
-  EXPECT_THAT(understand_store("postgresql://u:p@ss@h/a").error().text(),
-              HasSubstr("an @ or / in the user's name or the "
-                        "password is written %40 or %2F"));
-  EXPECT_THAT(understand_store("postgresql://u:1%@h/a").error().text(), HasSubstr("is written %25"));
+  EXPECT_THAT(parse_store("postgresql://u:p@ss@h/a").error().text(), HasSubstr("an @ or / in the user's name or the "
+                                                                               "password is written %40 or %2F"));
+  EXPECT_THAT(parse_store("postgresql://u:1%@h/a").error().text(), HasSubstr("is written %25"));
 }
 
 TEST(PostgresqlUrl, OtherNamesWithAPasswordAreNotShownEither) {
   for (const char* where : {"mysql://u:secret@h/a", "host=h password=secret"}) {
-    ASSERT_FALSE(understand_store(where)) << where;
-    EXPECT_THAT(understand_store(where).error().text(), Not(HasSubstr("secret"))) << where;
+    ASSERT_FALSE(parse_store(where)) << where;
+    EXPECT_THAT(parse_store(where).error().text(), Not(HasSubstr("secret"))) << where;
   }
 }
 

@@ -8,13 +8,13 @@ namespace artcal {
 namespace {
 
 TEST(StorePlace, AUrlIsAServerAndAnythingElseAFile) {
-  EXPECT_TRUE(understand_store("postgresql:///db")->is_postgresql);
-  EXPECT_TRUE(understand_store("postgres://host/db")->is_postgresql);
-  EXPECT_EQ(understand_store("/tmp/a b.sqlite")->file, "/tmp/a b.sqlite");
-  EXPECT_EQ(understand_store("sqlite:/tmp/s")->file, "/tmp/s");
+  EXPECT_TRUE(parse_store("postgresql:///db")->is_postgresql);
+  EXPECT_TRUE(parse_store("postgres://host/db")->is_postgresql);
+  EXPECT_EQ(parse_store("/tmp/a b.sqlite")->file, "/tmp/a b.sqlite");
+  EXPECT_EQ(parse_store("sqlite:/tmp/s")->file, "/tmp/s");
   for (const char* where : {"", "sqlite:", "mysql://host/db", "a\"b"}) {
-    ASSERT_FALSE(understand_store(where)) << where;
-    EXPECT_EQ(understand_store(where).error().code, ErrorCode::Usage) << where;
+    ASSERT_FALSE(parse_store(where)) << where;
+    EXPECT_EQ(parse_store(where).error().code, ErrorCode::Usage) << where;
   }
 }
 
@@ -26,10 +26,10 @@ TEST(StorePlace, TheFileOfAStoreIsKnownHoweverItIsNamed) {
 }
 
 TEST(StorePlace, APasswordIsNotRepeated) {
-  EXPECT_EQ(understand_store("postgresql://me:secret@host/db")->name, "postgresql://me:***@host/db");
-  EXPECT_EQ(understand_store("postgresql://host/db?user=me&password=secret&x=1")->name,
+  EXPECT_EQ(parse_store("postgresql://me:secret@host/db")->name, "postgresql://me:***@host/db");
+  EXPECT_EQ(parse_store("postgresql://host/db?user=me&password=secret&x=1")->name,
             "postgresql://host/db?user=me&password=***&x=1");
-  EXPECT_EQ(understand_store("postgresql://host:5432/db")->name, "postgresql://host:5432/db");
+  EXPECT_EQ(parse_store("postgresql://host:5432/db")->name, "postgresql://host:5432/db");
 }
 
 TEST(StoredText, KeepsUtf8AndSpellsOutTheRest) {

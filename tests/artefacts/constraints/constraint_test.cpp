@@ -94,13 +94,13 @@ TEST_F(ConstraintTest, BindsSeveralArtefactsPlacementsAndProbesOfOneRecording) {
   EXPECT_EQ(name_of(c.features[0], c, recording_).placement, "1");
   EXPECT_EQ(name_of(c.features[0], c, recording_).feature, "A");
   EXPECT_THAT(c.features[0].readings, ElementsAre(0, 7));
-  EXPECT_EQ(c.features[0].demand, Demand::Coincide);
+  EXPECT_EQ(c.features[0].kind, ConstraintKind::Coincide);
   EXPECT_EQ(c.features[0].location, Location::Unknown);
   EXPECT_EQ(c.features[0].dimension(), 3);
   EXPECT_THAT(c.features[0].known, IsEmpty());
 
   EXPECT_EQ(c.features[1].radius, 10.0);
-  EXPECT_EQ(c.features[1].demand, Demand::OnBall);
+  EXPECT_EQ(c.features[1].kind, ConstraintKind::OnBall);
   EXPECT_EQ(c.features[1].dimension(), 1);
 
   EXPECT_EQ(c.features[2].placement, recording_.placements.find("2"));
@@ -108,7 +108,7 @@ TEST_F(ConstraintTest, BindsSeveralArtefactsPlacementsAndProbesOfOneRecording) {
   EXPECT_THAT(c.features[3].known, ElementsAre(Eigen::Vector3d(100, 0, 0)));
 
   EXPECT_EQ(c.features[4].location, Location::Unknown);
-  EXPECT_EQ(c.features[4].demand, Demand::AtDistance);
+  EXPECT_EQ(c.features[4].kind, ConstraintKind::AtDistance);
   EXPECT_THAT(c.features[4].distances, ElementsAre(321.5));
   EXPECT_EQ(c.features[4].u, 0.025) << "U/k";
 

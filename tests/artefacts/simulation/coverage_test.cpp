@@ -91,14 +91,14 @@ TEST(Coverage, FirstOrderIntervalsHoldTheTruthAsOftenAsTheySay) {
 }
 
 /// Of 95 % intervals of points and lengths by arms whose encoders are eccentric, which the model does not have.
-struct Held {
-  int quantities = 0, held = 0, enlarged = 0;
+struct Fixed {
+  int quantities = 0, fixed = 0, enlarged = 0;
 
   void add(bool is_held) {
     ++quantities;
-    held += is_held ? 1 : 0;
+    fixed += is_held ? 1 : 0;
   }
-  [[nodiscard]] double share() const { return static_cast<double>(held) / quantities; }
+  [[nodiscard]] double share() const { return static_cast<double>(fixed) / quantities; }
 };
 
 // Where the arm's tip is when its encoders read q.
@@ -110,8 +110,8 @@ Eigen::Vector3d true_tip(const VirtualArm& arm, Eigen::VectorXd q) {
   return tip_at(arm.arm, 0, q);
 }
 
-Held with_eccentric_encoders(double eccentricity, int recordings) {
-  Held all;
+Fixed with_eccentric_encoders(double eccentricity, int recordings) {
+  Fixed all;
   for (int i = 0; i < recordings; ++i) {
     SimulationPlan plan;
     session(plan);
@@ -146,13 +146,13 @@ Held with_eccentric_encoders(double eccentricity, int recordings) {
 // Ten arc seconds in each quadrature part of every encoder: without the placements left out, 95 % intervals hold a
 // third.
 TEST(Coverage, IntervalsHoldTheTruthWhereTheModelIsWrong) {
-  const Held wrong = with_eccentric_encoders(10.0 * units::arcsecond, 12);
+  const Fixed wrong = with_eccentric_encoders(10.0 * units::arcsecond, 12);
   EXPECT_GT(wrong.share(), 0.93);
   EXPECT_GE(wrong.enlarged, 11);
 }
 
 TEST(Coverage, PlacementsLeftOutChangeNothingWhereTheModelIsRight) {
-  const Held right = with_eccentric_encoders(0.0, 12);
+  const Fixed right = with_eccentric_encoders(0.0, 12);
   // An effect found in the residuals by chance enlarges too: rather too large than too small.
   EXPECT_LE(right.enlarged, 3);
   EXPECT_NEAR(right.share(), 0.95, 0.04);

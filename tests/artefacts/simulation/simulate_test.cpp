@@ -30,9 +30,9 @@ Eigen::Vector3d tip(const Simulation& simulation, int reading) {
 }
 
 /// Where a feature of the first placement is, by the truth that the simulation tells.
-Eigen::Vector3d centre(const Simulation& simulation, const std::string& feature, double growth = 1.0) {
+Eigen::Vector3d centre(const Simulation& simulation, const std::string& feature, double expansion_factor = 1.0) {
   const Eigen::Vector3d at = simulation.artefacts[0].features[feature[0] - 'A'].at;
-  return simulation.placements[0].base_from_artefact * Eigen::Vector3d(growth * at);
+  return simulation.placements[0].base_from_artefact * Eigen::Vector3d(expansion_factor * at);
 }
 
 std::string feature_of(const Simulation& simulation, int reading) {
@@ -88,9 +88,9 @@ TEST(Simulate, ArtefactsGrowWithTheirTemperature) {
   for (int i = 0; i < 75; ++i) {
     const double temperature = simulation.recording.readings[i].temperature;
     EXPECT_NEAR(temperature, 22.0 + 4.0 * i / 74.0, 1e-12);
-    const double growth = 1.0 + 11.5e-6 * (temperature - 20.0);
-    EXPECT_NEAR((tip(simulation, i) - centre(simulation, feature_of(simulation, i), growth)).norm(),
-                growth * 12.7 + 3.0, 1e-9);
+    const double expansion_factor = 1.0 + 11.5e-6 * (temperature - 20.0);
+    EXPECT_NEAR((tip(simulation, i) - centre(simulation, feature_of(simulation, i), expansion_factor)).norm(),
+                expansion_factor * 12.7 + 3.0, 1e-9);
   }
 }
 

@@ -52,7 +52,7 @@ TEST(Interim, WithoutRepeatsNothingIsSignificant) {
   const InterimCheck check = compare(values("1", {500}), values("1", {10}));
   EXPECT_EQ(check.drifts[0].degrees_of_freedom, 0);
   EXPECT_FALSE(check.any_significant());
-  EXPECT_FALSE(check.any_told());
+  EXPECT_FALSE(check.any_judged());
 }
 
 // The scatter of lengths says nothing of a ball's diameter.

@@ -30,7 +30,7 @@ Arm arm_with_ball() {
   return arm;
 }
 
-/// Where the tip of a reading is, by 4×4 matrices in long double: they know nothing of the sweep.
+/// Where the tip of a reading is, by 4×4 matrices in long double: they know nothing of the pass.
 Eigen::Vector3d tip_of(const Arm& arm, const Eigen::VectorXd& q) {
   const testing::ArmNumbers<long double> numbers(arm);
   return testing::tip_in_base(numbers, std::vector<long double>(q.begin(), q.end()), 0).cast<double>();
@@ -232,7 +232,7 @@ TEST(ReachPoint, PutsTheTipOnAnyPointWithinReachFromMostStarts) {
       start[j] = random.uniform(-std::numbers::pi, std::numbers::pi);
     }
     const Eigen::Vector3d target = tip_of(arm, there);
-    if (const auto q = reach_point(arm, 0, target, start)) {
+    if (const auto q = reach_with_joints(arm, 0, target, start)) {
       ++reached;
       EXPECT_LT((tip_of(arm, *q) - target).norm(), 1e-12 * reach(arm) + 1e-11);
     }
@@ -243,7 +243,7 @@ TEST(ReachPoint, PutsTheTipOnAnyPointWithinReachFromMostStarts) {
 TEST(ReachPoint, StaysWhereItIsWhenItIsThere) {
   const Arm arm = arm_with_ball();
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(6, -1.0, 1.5);
-  const auto found = reach_point(arm, 0, tip_of(arm, q), q);
+  const auto found = reach_with_joints(arm, 0, tip_of(arm, q), q);
   ASSERT_TRUE(found);
   EXPECT_LT((*found - q).norm(), 1e-9);
 }
@@ -251,8 +251,8 @@ TEST(ReachPoint, StaysWhereItIsWhenItIsThere) {
 TEST(ReachPoint, SaysNoToAPointOutOfReach) {
   const Arm arm = arm_with_ball();
   const Eigen::VectorXd start = Eigen::VectorXd::LinSpaced(6, -1.0, 1.5);
-  EXPECT_FALSE(reach_point(arm, 0, Eigen::Vector3d(2.0 * reach(arm), 0.0, 0.0), start));
-  EXPECT_FALSE(reach_point(arm, 0, Eigen::Vector3d::Constant(std::nan("")), start));
+  EXPECT_FALSE(reach_with_joints(arm, 0, Eigen::Vector3d(2.0 * reach(arm), 0.0, 0.0), start));
+  EXPECT_FALSE(reach_with_joints(arm, 0, Eigen::Vector3d::Constant(std::nan("")), start));
 }
 
 }  // namespace

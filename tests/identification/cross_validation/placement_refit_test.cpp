@@ -61,7 +61,7 @@ test::Bound session(const Artefact& artefact, int placements, int readings) {
   return test::bind(std::move(simulation->recording), {artefact});
 }
 
-void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int most_left = 0) {
+void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int max_left = 0) {
   IdentifyOptions options;
   options.noise = noise;
   const auto prepared = prepare(bound.recording, bound.constraints, options, Alignment::None);
@@ -98,7 +98,7 @@ void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int
     }
     EXPECT_GT(moved, 1e-4) << "nothing was left out";
   }
-  EXPECT_LE(left_to_the_whole_identification, most_left);
+  EXPECT_LE(left_to_the_whole_identification, max_left);
 }
 
 Noise of_a_reading(double sigma) {

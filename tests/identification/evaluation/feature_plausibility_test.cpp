@@ -104,7 +104,7 @@ TEST(StandingOut, OfASoundSessionOfAnySizeNothing) {
   for (const int placements : {3, 10, 100, 1000}) {
     for (const int readings : {4, 5, 25}) {
       for (std::uint64_t seed = 0; seed < 3; ++seed) {
-        EXPECT_EQ(what_stands_out(sound_session(placements, readings, 0.1, seed), 0.3).value_or(""), "")
+        EXPECT_EQ(implausible_feature_text(sound_session(placements, readings, 0.1, seed), 0.3).value_or(""), "")
             << placements << " placements, " << readings << " readings";
       }
     }
@@ -115,20 +115,22 @@ TEST(StandingOut, OfAnySizeWhatIsWrongIsNamed) {
   for (const int placements : {3, 10, 1000}) {
     Evaluation misread = sound_session(placements, 5, 0.01, 1);
     misread.features[7].rms = 0.5;
-    EXPECT_THAT(what_stands_out(misread, 0.3).value_or(""), HasSubstr("feature \"3\" in placement \"1\" are 0.5 mm"))
+    EXPECT_THAT(implausible_feature_text(misread, 0.3).value_or(""),
+                HasSubstr("feature \"3\" in placement \"1\" are 0.5 mm"))
         << placements;
     Evaluation swapped = sound_session(placements, 5, 0.01, 2);
     swapped.lengths[9].error = -3.0;
-    EXPECT_THAT(what_stands_out(swapped, 0.3).value_or(""), HasSubstr("\"1\" and \"other\" in placement \"2\""))
+    EXPECT_THAT(implausible_feature_text(swapped, 0.3).value_or(""),
+                HasSubstr("\"1\" and \"other\" in placement \"2\""))
         << placements;
   }
 }
 
 TEST(StandingOut, OfExactReadingsWhatIsWrongIsNamed) {
   Evaluation exact = sound_session(5, 5, 0.0, 1);
-  EXPECT_FALSE(what_stands_out(exact, 0.3));
+  EXPECT_FALSE(implausible_feature_text(exact, 0.3));
   exact.features[7].rms = 1.0;
-  EXPECT_THAT(what_stands_out(exact, 0.3).value_or(""), HasSubstr("feature \"3\""));
+  EXPECT_THAT(implausible_feature_text(exact, 0.3).value_or(""), HasSubstr("feature \"3\""));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What each kind of reading cannot tell: every row of the project's table of lost parameters, on the arm
+// What each kind of reading cannot determine: every row of the project's table of unidentifiable parameters, on the arm
 // of Gao 2013. The expected ranks and equations were computed by an independent program.
 #include "identification/identifiability/coupling.h"
 
@@ -30,10 +30,10 @@ Coupling analyse(ReadingKind kind, int features = 4, const CouplingOptions& opti
   return *coupling;
 }
 
-// A lost motion as {parameter: coefficient}, those that take part only.
-std::map<std::string, double> equation(const Coupling& coupling, const std::string& held) {
-  for (const auto& motion : coupling.lost) {
-    if (coupling.parameters[motion.leading].name != held) continue;
+// An unidentifiable motion as {parameter: coefficient}, those that take part only.
+std::map<std::string, double> equation(const Coupling& coupling, const std::string& fixed) {
+  for (const auto& motion : coupling.unidentifiable) {
+    if (coupling.parameters[motion.leading].name != fixed) continue;
     std::map<std::string, double> result;
     for (Eigen::Index i = 0; i < motion.coefficients.size(); ++i) {
       if (motion.coefficients[i] != 0.0) result[coupling.parameters[i].name] = motion.coefficients[i];
@@ -43,18 +43,19 @@ std::map<std::string, double> equation(const Coupling& coupling, const std::stri
   return {};
 }
 
-std::vector<std::string> held_names(const Coupling& coupling) {
+std::vector<std::string> fixed_names(const Coupling& coupling) {
   std::vector<std::string> names;
-  for (const int index : coupling.held()) names.push_back(coupling.parameters[index].name);
+  for (const int index : coupling.fixed()) names.push_back(coupling.parameters[index].name);
   return names;
 }
 
-void expect_equation(const Coupling& coupling, const std::string& held, const std::map<std::string, double>& expected) {
-  const auto found = equation(coupling, held);
-  ASSERT_EQ(found.size(), expected.size()) << held;
+void expect_equation(const Coupling& coupling, const std::string& fixed,
+                     const std::map<std::string, double>& expected) {
+  const auto found = equation(coupling, fixed);
+  ASSERT_EQ(found.size(), expected.size()) << fixed;
   for (const auto& [name, coefficient] : expected) {
-    ASSERT_TRUE(found.contains(name)) << held << " lacks " << name;
-    EXPECT_NEAR(found.at(name), coefficient, 1e-6 * std::abs(coefficient)) << held << ": " << name;
+    ASSERT_TRUE(found.contains(name)) << fixed << " lacks " << name;
+    EXPECT_NEAR(found.at(name), coefficient, 1e-6 * std::abs(coefficient)) << fixed << ": " << name;
   }
 }
 
@@ -69,7 +70,7 @@ void expect_base(const Coupling& coupling) {
 }
 
 void expect_scale(const Coupling& coupling) {
-  EXPECT_EQ(coupling.scale, ScaleState::Lost);
+  EXPECT_EQ(coupling.scale, ScaleState::Unidentifiable);
   expect_equation(coupling, "d2",
                   {{"d2", 1.0}, {"d3", 792.7 / 65.5}, {"d4", 1.0}, {"d5", 883.2 / 65.5}, {"l", 183.5 / 65.5}});
 }
@@ -78,7 +79,7 @@ TEST(Coupling, BaseCoordinatesLoseTheTwoWristPairs) {
   const Coupling coupling = analyse(ReadingKind::BaseCoordinates);
   EXPECT_EQ(coupling.parameters.size(), 25u);
   EXPECT_EQ(coupling.rank, 23);
-  EXPECT_EQ(held_names(coupling), (std::vector<std::string>{"a6", "d6"}));
+  EXPECT_EQ(fixed_names(coupling), (std::vector<std::string>{"a6", "d6"}));
   expect_wrist_pairs(coupling);
   EXPECT_EQ(coupling.scale, ScaleState::Determined);
 }
@@ -88,7 +89,7 @@ TEST(Coupling, UnknownFrameAlsoLosesTheBase) {
   EXPECT_EQ(coupling.rank, 21);
   expect_wrist_pairs(coupling);
   expect_base(coupling);
-  EXPECT_NE(coupling.scale, ScaleState::Lost);
+  EXPECT_NE(coupling.scale, ScaleState::Unidentifiable);
 }
 
 TEST(Coupling, DistancesAlsoLoseTheBase) {
@@ -96,7 +97,7 @@ TEST(Coupling, DistancesAlsoLoseTheBase) {
   EXPECT_EQ(coupling.rank, 21);
   expect_wrist_pairs(coupling);
   expect_base(coupling);
-  EXPECT_NE(coupling.scale, ScaleState::Lost);
+  EXPECT_NE(coupling.scale, ScaleState::Unidentifiable);
 }
 
 TEST(Coupling, OneToSixUnknownPointsLoseTheScaleToo) {
@@ -121,10 +122,10 @@ TEST(Coupling, BallsOfKnownRadiusKeepTheScaleButWeakly) {
 TEST(Coupling, APlateAtUnknownPosesLosesTheBaseOnly) {
   const Coupling coupling = analyse(ReadingKind::Plate);
   EXPECT_EQ(coupling.rank, 21);
-  EXPECT_EQ(held_names(coupling), (std::vector<std::string>{"a6", "d6", "d1", "theta1"}));
+  EXPECT_EQ(fixed_names(coupling), (std::vector<std::string>{"a6", "d6", "d1", "theta1"}));
   expect_wrist_pairs(coupling);
   expect_base(coupling);
-  EXPECT_NE(coupling.scale, ScaleState::Lost);
+  EXPECT_NE(coupling.scale, ScaleState::Unidentifiable);
 }
 
 TEST(Coupling, BallsOfUnknownRadiusLoseTheScaleToo) {
@@ -152,12 +153,12 @@ TEST(Coupling, PlanesPerpendicularToTheFirstAxisLoseSeven) {
   for (const int planes : {1, 3}) {
     const Coupling coupling = analyse(ReadingKind::LevelPlane, planes);
     EXPECT_EQ(coupling.rank, 18) << planes;
-    EXPECT_EQ(coupling.lost.size(), 7u);
+    EXPECT_EQ(coupling.unidentifiable.size(), 7u);
     expect_wrist_pairs(coupling);
     expect_base(coupling);
     expect_equation(coupling, "a1", {{"a1", 1.0}});
     expect_equation(coupling, "d2", {{"d2", 1.0}});
-    EXPECT_EQ(coupling.scale, ScaleState::Lost);
+    EXPECT_EQ(coupling.scale, ScaleState::Unidentifiable);
     expect_equation(coupling, "d3", {{"d3", 1.0}, {"d4", 65.5 / 792.7}, {"d5", 883.2 / 792.7}, {"l", 183.5 / 792.7}});
   }
 }
@@ -195,13 +196,13 @@ TEST(Coupling, ATipOffTheAxisLosesFourInTheWrist) {
   ASSERT_TRUE(coupling);
   EXPECT_EQ(coupling->parameters.size(), 27u);
   EXPECT_EQ(coupling->rank, 23);
-  EXPECT_EQ(held_names(*coupling), (std::vector<std::string>{"a6", "d6", "alpha6", "theta6"}));
+  EXPECT_EQ(fixed_names(*coupling), (std::vector<std::string>{"a6", "d6", "alpha6", "theta6"}));
 }
 
 TEST(Coupling, AKnownLengthKeepsTheScale) {
   CouplingOptions options;
   options.not_asked = {"l"};
-  EXPECT_NE(analyse(ReadingKind::Point, 4, options).scale, ScaleState::Lost);
+  EXPECT_NE(analyse(ReadingKind::Point, 4, options).scale, ScaleState::Unidentifiable);
 }
 
 // The radius of the tip is known; asked about, it goes with every radius and place that is not. With balls of one
@@ -212,7 +213,7 @@ TEST(Coupling, TheTipsRadiusIsTold) {
   const Coupling balls = analyse(ReadingKind::Sphere, 4, options);
   EXPECT_EQ(balls.parameters.back().name, "radius");
   EXPECT_EQ(balls.rank, 21);
-  EXPECT_EQ(balls.scale, ScaleState::Lost);
+  EXPECT_EQ(balls.scale, ScaleState::Unidentifiable);
   expect_equation(balls, "d2",
                   {{"d2", 1.0},
                    {"d3", 792.7 / 65.5},
@@ -224,7 +225,7 @@ TEST(Coupling, TheTipsRadiusIsTold) {
     const Coupling none = analyse(kind, 4, options);
     EXPECT_EQ(none.rank, 20);
     expect_equation(none, "radius", {{"radius", 1.0}});
-    EXPECT_EQ(none.scale, ScaleState::Lost);
+    EXPECT_EQ(none.scale, ScaleState::Unidentifiable);
   }
 }
 
@@ -232,7 +233,7 @@ TEST(Coupling, TheOtherMemberOfAPairIsHeldOnRequest) {
   CouplingOptions options;
   options.rather_free = {"a6", "d6"};
   const Coupling coupling = analyse(ReadingKind::BaseCoordinates, 4, options);
-  EXPECT_EQ(held_names(coupling), (std::vector<std::string>{"alpha6", "theta6"}));
+  EXPECT_EQ(fixed_names(coupling), (std::vector<std::string>{"alpha6", "theta6"}));
   expect_equation(coupling, "theta6", {{"theta6", 1.0}, {"a6", -tip}});
 }
 
@@ -253,12 +254,12 @@ TEST(Coupling, AnArmOutOfAllProportionHasAWrongUnit) {
 TEST(Coupling, InWords) {
   const Coupling point = analyse(ReadingKind::Point);
   std::vector<std::string> sentences;
-  for (const auto& motion : point.lost) sentences.push_back(lost_in_words(point, motion));
-  EXPECT_EQ(sentences,
-            (std::vector<std::string>{
-                "theta6 + a6/183.5 can be told, a6 alone cannot", "alpha6 - d6/183.5 can be told, d6 alone cannot",
-                "d1 cannot be told at all", "theta1 cannot be told at all",
-                "d2 + 12.102 d3 + d4 + 13.484 d5 + 2.8015 l move together unseen, d2 alone cannot be told"}));
+  for (const auto& motion : point.unidentifiable) sentences.push_back(unidentifiable_in_words(point, motion));
+  EXPECT_EQ(sentences, (std::vector<std::string>{"theta6 + a6/183.5 is identifiable, a6 alone is not",
+                                                 "alpha6 - d6/183.5 is identifiable, d6 alone is not",
+                                                 "d1 is not identifiable", "theta1 is not identifiable",
+                                                 "d2 + 12.102 d3 + d4 + 13.484 d5 + 2.8015 l change together without "
+                                                 "any effect, d2 alone is not identifiable"}));
   const Coupling sphere = analyse(ReadingKind::Sphere);
   ASSERT_FALSE(sphere.weak.empty());
   EXPECT_THAT(weak_in_words(sphere, sphere.weak.front()), ::testing::HasSubstr("mostly the scale of all lengths"));

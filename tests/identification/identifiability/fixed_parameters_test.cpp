@@ -90,10 +90,10 @@ TEST_P(RandomArms, RankIsTheNumberOfFreeParametersAndWhatIsFixedSpansTheNullSpac
                                           << ", repeat " << repeat);
         ASSERT_EQ(coupling->rank, truth.rank);
         EXPECT_EQ(static_cast<int>(free->size()), truth.rank);
-        EXPECT_EQ(coupling->lost.size(), coupling->parameters.size() - free->size());
+        EXPECT_EQ(coupling->unidentifiable.size(), coupling->parameters.size() - free->size());
         // Each motion that is reported is invisible to the independent program.
         Eigen::MatrixXd motions(truth.scale.size(), 0);
-        for (const auto& motion : coupling->lost) {
+        for (const auto& motion : coupling->unidentifiable) {
           const Eigen::VectorXd x = motion.coefficients.cwiseQuotient(truth.scale).normalized();
           EXPECT_LT((truth.jacobian * x).norm(), 1e-6 * std::max(1.0, truth.values[0]));
           motions.conservativeResize(Eigen::NoChange, motions.cols() + 1);
@@ -126,7 +126,7 @@ Arm arm_with_last_alpha(double alpha) {
 
 std::vector<std::string> fixed_names(const Coupling& coupling) {
   std::vector<std::string> names;
-  for (const int index : coupling.held()) names.push_back(coupling.parameters[static_cast<std::size_t>(index)].name);
+  for (const int index : coupling.fixed()) names.push_back(coupling.parameters[static_cast<std::size_t>(index)].name);
   return names;
 }
 
@@ -213,10 +213,10 @@ TEST(FixedParameters, TheScaleIsOneMotionOfAllLengths) {
     const auto coupling = analyse_coupling(made.recording, *constraints, arm, coupling_options(*selection));
     ASSERT_TRUE(coupling);
     EXPECT_EQ(coupling->rank, 20);
-    ASSERT_EQ(coupling->lost.size(), 5u);
-    EXPECT_EQ(coupling->scale, ScaleState::Lost);
+    ASSERT_EQ(coupling->unidentifiable.size(), 5u);
+    EXPECT_EQ(coupling->scale, ScaleState::Unidentifiable);
     std::map<std::string, int> terms;
-    for (const auto& motion : coupling->lost) {
+    for (const auto& motion : coupling->unidentifiable) {
       terms[coupling->parameters[static_cast<std::size_t>(motion.leading)].name] =
           static_cast<int>((motion.coefficients.array() != 0.0).count());
     }
@@ -225,11 +225,12 @@ TEST(FixedParameters, TheScaleIsOneMotionOfAllLengths) {
     EXPECT_EQ(terms["d1"], 1);
     EXPECT_EQ(terms["theta1"], 1);
     // The last one: every length that is not zero, but for d1, which nothing tells whatever the scale, in proportion.
-    const auto& scale = coupling->lost.back();
-    const double growth = 1.0 / value(arm, coupling->parameters[static_cast<std::size_t>(scale.leading)]);
+    const auto& scale = coupling->unidentifiable.back();
+    const double expansion_factor = 1.0 / value(arm, coupling->parameters[static_cast<std::size_t>(scale.leading)]);
     for (Eigen::Index i = 0; i < scale.coefficients.size(); ++i) {
       const Parameter& parameter = coupling->parameters[static_cast<std::size_t>(i)];
-      const double expected = parameter.is_length() && parameter.name != "d1" ? growth * value(arm, parameter) : 0.0;
+      const double expected =
+          parameter.is_length() && parameter.name != "d1" ? expansion_factor * value(arm, parameter) : 0.0;
       EXPECT_NEAR(scale.coefficients[i], expected, 1e-6) << parameter.name;
     }
   }

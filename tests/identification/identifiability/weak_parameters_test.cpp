@@ -48,7 +48,7 @@ TEST(WeakParameters, AreHeldByAPriorThatIsSaidAndCounted) {
 // and a fit of all parameters ends where a6 is 50 mm off, with a standard uncertainty of 23 mm.
 TEST(WeakParameters, OfASevenAxisArmOnTwoSocketsAreHeld) {
   const auto all = test::read_bound(test::example("two-socket-bar/recording.toml"));
-  int held = 0;
+  int fixed = 0;
   for (int placement = 0; placement < 6; ++placement) {
     for (const int every : {3, 4}) {
       Recording few = all.recording;
@@ -71,10 +71,10 @@ TEST(WeakParameters, OfASevenAxisArmOnTwoSocketsAreHeld) {
       EXPECT_LT(result->after.overall.rms, 0.25);
       EXPECT_NEAR(test::identified_value(*result, "a6"), 88.0, 35.0) << "placement " << placement;
       EXPECT_NEAR(test::identified_value(*result, "alpha6") * 180.0 / std::numbers::pi, 90.0, 10.0);
-      held += result->weak.empty() ? 0 : 1;
+      fixed += result->weak.empty() ? 0 : 1;
     }
   }
-  EXPECT_GE(held, 2);
+  EXPECT_GE(fixed, 2);
 }
 
 TEST(WeakParameters, AreNoneWhereReadingsAreVaried) {

@@ -62,7 +62,7 @@ Linearisation random_linearisation(const Artefacts& artefacts, bool certified = 
 
 // All rows with a column for every unknown, and the residual last.
 Eigen::MatrixXd dense(const Linearisation& linearisation) {
-  const NumberLayout& layout = linearisation.layout;
+  const StateLayout& layout = linearisation.layout;
   Eigen::MatrixXd all(0, layout.size + 1);
   for (const BlockRows& block : linearisation.blocks) {
     const Eigen::Index first = all.rows();
@@ -105,7 +105,7 @@ TEST(Elimination, NuisanceUnknownsMayBeRankDeficient) {
   Linearisation linearisation = random_linearisation({{{3, 7}}}, false);
   for (BlockRows& block : linearisation.blocks) {
     if (block.parameters.first == 0 && block.parameters.size > 0) {
-      block.rows.col(block.unknowns) = block.rows.col(block.unknowns + 1);  // two that are told apart by nothing
+      block.rows.col(block.unknowns) = block.rows.col(block.unknowns + 1);  // two that are distinguished by nothing
     }
   }
   const Eigen::MatrixXd all = dense(linearisation);

@@ -59,9 +59,9 @@ TEST_P(Compression, KeepsCostAndGradient) {
   const test::Bound bound = test::read_bound(test::example("two-socket-bar/recording.toml"));
   const Arm& arm = bound.recording.arm;
   const System system = make_system(bound.recording, bound.constraints, arm, parameters_of(arm));
-  const auto unknowns = settle(system, arm, bound.recording);
+  const auto unknowns = estimate_nuisance_parameters(system, arm, bound.recording);
   const Weights weights = uniform_weights(bound.constraints, 0.5);
-  const auto sweeps = sweeps_of(system, arm);
+  const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const auto blocks = blocks_of(bound.constraints);
   const Linearisation linearisation = linearise(system, weights, GetParam(), arm, *unknowns);
   ASSERT_EQ(linearisation.blocks.size(), blocks.size());
@@ -73,7 +73,7 @@ TEST_P(Compression, KeepsCostAndGradient) {
     const Eigen::MatrixXd& triangle = linearisation.blocks[b].rows;
     const Eigen::VectorXd z = triangle.rightCols<1>();
     const auto cost_at = [&](const Eigen::VectorXd& values) {
-      return block_cost(system, weights, GetParam(), blocks[b], sweeps,
+      return block_cost(system, weights, GetParam(), blocks[b], kinematics_by_probe,
                         {group.reference, values.data(), unknowns->shared.data()});
     };
     EXPECT_NEAR(z.squaredNorm() / cost_at(group.values), 1.0, 1e-12);

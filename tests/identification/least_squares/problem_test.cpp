@@ -22,7 +22,7 @@ std::vector<Parameter> named(const Arm& arm, const std::vector<std::string>& nam
 Solution solved(const probing::Bound& bound, const std::vector<std::string>& names) {
   const Arm& arm = bound.recording.arm;
   const System system = make_system(bound.recording, bound.constraints, arm, named(arm, names));
-  auto unknowns = settle(system, arm, bound.recording);
+  auto unknowns = estimate_nuisance_parameters(system, arm, bound.recording);
   if (!unknowns) throw std::runtime_error(unknowns.error().text());
   return solve(system, unit_weights(bound.constraints), Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
 }
@@ -48,7 +48,7 @@ TEST(Solve, APriorDecidesWhatReadingsDoNot) {
   const auto bound = probing::bound(probing::probe({.kind = probing::Kind::Seats, .placements = 4, .rough = 0.3}), 0.0);
   const Arm& arm = bound.recording.arm;
   const System system = make_system(bound.recording, bound.constraints, arm, named(arm, {"theta2", "d1"}));
-  auto unknowns = settle(system, arm, bound.recording);
+  auto unknowns = estimate_nuisance_parameters(system, arm, bound.recording);
   ASSERT_TRUE(unknowns);
   SolveOptions options;
   options.prior_weights = Eigen::Vector2d(0.0, 0.5);

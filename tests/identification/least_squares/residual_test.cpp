@@ -9,7 +9,7 @@ namespace {
 
 struct Case {
   Location location;
-  Demand demand;
+  ConstraintKind kind;
   double facing = 0.0;
 };
 
@@ -24,7 +24,7 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
   for (int trial = 0; trial < 50; ++trial) {
     FeatureConstraint constraint;
     constraint.location = GetParam().location;
-    constraint.demand = GetParam().demand;
+    constraint.kind = GetParam().kind;
     constraint.readings = {0};
     constraint.known = {100.0 * random.direction()};
     constraint.distances = {40.0};
@@ -34,7 +34,7 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
     constraint.facing = GetParam().facing;
     constraint.height = 70.0;
     constraint.first_error = constraint.location == Location::Unknown && constraint.facing == 0.0 ? -1 : 0;
-    constraint.shared_radius = constraint.demand == Demand::OnBall ? 3 : -1;
+    constraint.shared_radius = constraint.kind == ConstraintKind::OnBall ? 3 : -1;
     const GroupReference reference{random.rotation(), 50.0 * random.direction(), 200.0, {1.0, -1.0}};
     Arguments at;
     at.head<3>() = 300.0 * random.direction();
@@ -47,7 +47,7 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
     };
     const FeatureResidual residual(constraint, reference, at.data() + 4, at.data() + 10);
     const Residual r = residual.at(0, at.head<3>(), at[3], true);
-    ASSERT_EQ(r.rows, GetParam().demand == Demand::Coincide ? 3 : 1);
+    ASSERT_EQ(r.rows, GetParam().kind == ConstraintKind::Coincide ? 3 : 1);
     Eigen::Matrix<double, 3, 14> slope = Eigen::Matrix<double, 3, 14>::Zero();
     slope.leftCols<3>() = r.by_tip;
     slope(0, 3) = r.by_tip_radius;
@@ -64,19 +64,20 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     Kinds, ResidualDerivatives,
-    ::testing::Values(Case{Location::Unknown, Demand::Coincide}, Case{Location::Unknown, Demand::AtDistance},
-                      Case{Location::Unknown, Demand::OnBall}, Case{Location::Unknown, Demand::OnPlane},
-                      Case{Location::Unknown, Demand::OnPlane, 1.0}, Case{Location::Unknown, Demand::OnPlane, -1.0},
-                      Case{Location::Posed, Demand::Coincide}, Case{Location::Posed, Demand::AtDistance},
-                      Case{Location::Posed, Demand::OnBall}, Case{Location::Posed, Demand::OnPlane},
-                      Case{Location::Base, Demand::Coincide}, Case{Location::Base, Demand::AtDistance},
-                      Case{Location::Base, Demand::OnBall}, Case{Location::Base, Demand::OnPlane}));
+    ::testing::Values(
+        Case{Location::Unknown, ConstraintKind::Coincide}, Case{Location::Unknown, ConstraintKind::AtDistance},
+        Case{Location::Unknown, ConstraintKind::OnBall}, Case{Location::Unknown, ConstraintKind::OnPlane},
+        Case{Location::Unknown, ConstraintKind::OnPlane, 1.0}, Case{Location::Unknown, ConstraintKind::OnPlane, -1.0},
+        Case{Location::Posed, ConstraintKind::Coincide}, Case{Location::Posed, ConstraintKind::AtDistance},
+        Case{Location::Posed, ConstraintKind::OnBall}, Case{Location::Posed, ConstraintKind::OnPlane},
+        Case{Location::Base, ConstraintKind::Coincide}, Case{Location::Base, ConstraintKind::AtDistance},
+        Case{Location::Base, ConstraintKind::OnBall}, Case{Location::Base, ConstraintKind::OnPlane}));
 
 // Signed: inside the ball is negative, outside positive, no jump between.
 TEST(Residual, OfABallIsSigned) {
   FeatureConstraint ball;
   ball.location = Location::Base;
-  ball.demand = Demand::OnBall;
+  ball.kind = ConstraintKind::OnBall;
   ball.readings = {0};
   ball.known = {Eigen::Vector3d::Zero()};
   ball.radius = 7.0;

@@ -1,5 +1,5 @@
 // Joint errors planted in arms whose readings are made with the equations of forward_kinematics.h: each group of
-// parameters brings them back within its own uncertainty, or is refused with what the readings cannot tell of it.
+// parameters brings them back within its own uncertainty, or is refused with what the readings cannot determine of it.
 #include "identification/models/model.h"
 
 #include <cmath>
@@ -106,7 +106,7 @@ TEST(Model, WhatNoReadingSeesOfAGroupIsHeldAndSaid) {
   const auto first = std::find_if(result.parameters.begin(), result.parameters.end(),
                                   [](const auto& p) { return p.parameter.name == "compliance1"; });
   ASSERT_NE(first, result.parameters.end());
-  EXPECT_EQ(first->state, ParameterState::Lost);
+  EXPECT_EQ(first->state, ParameterState::Unidentifiable);
   EXPECT_EQ(first->identified, 0.0);
   EXPECT_EQ(result.free.size(), 21u + 5u);
 }
@@ -123,7 +123,7 @@ TEST(Model, AGroupThatCannotBeToldIsRefusedWithItsCombination) {
   for (Reading& reading : warm.recording.readings) reading.arm_temperature = 25.0;
   const std::string text = refusal(warm, options_for({ParameterGroup::Thermal}));
   EXPECT_THAT(text, HasSubstr("the group thermal was asked for, but these readings identify no parameter of it"));
-  EXPECT_THAT(text, HasSubstr("d3 + 3963.5 expansion3 can be told, expansion3 alone cannot"));
+  EXPECT_THAT(text, HasSubstr("d3 + 3963.5 expansion3 is identifiable, expansion3 alone is not"));
   // Where one link is known, its expansion is identified; the others are fixed.
   IdentifyOptions one_known = options_for({ParameterGroup::Thermal});
   one_known.hold = {"d3"};
@@ -136,7 +136,7 @@ TEST(Model, AGroupThatCannotBeToldIsRefusedWithItsCombination) {
   EXPECT_EQ(refusal(warm, one_known), "accepted");
   // The same at the reference temperature: nothing of it is seen.
   for (Reading& reading : warm.recording.readings) reading.arm_temperature = 20.0;
-  EXPECT_THAT(refusal(warm, options_for({ParameterGroup::Thermal})), HasSubstr("expansion3 cannot be told at all"));
+  EXPECT_THAT(refusal(warm, options_for({ParameterGroup::Thermal})), HasSubstr("expansion3 is not identifiable"));
   // A tip off the axis of one probe is the same as other angles of the last joint.
   const std::string tip = refusal(warm, options_for({ParameterGroup::Tip}));
   EXPECT_THAT(tip, HasSubstr("the group tip was asked for"));

@@ -140,7 +140,7 @@ TEST(MonteCarlo, AgreesWithFirstOrderWhereTheModelIsNearlyLinear) {
   EXPECT_EQ(count.not_converged, 0);
   const auto results = summary(monte_carlo->quantities(), count);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FollowedQuantity& quantity = monte_carlo->quantities()[i];
+    const Measurand& quantity = monte_carlo->quantities()[i];
     if (quantity.u_linear) {
       EXPECT_NEAR(results[i].u / *quantity.u_linear, 1.0, 0.1) << quantity.name;  // 2.5 % is one standard deviation
       EXPECT_NEAR(results[i].mean, quantity.estimate, 0.15 * results[i].u) << quantity.name;
@@ -190,8 +190,8 @@ TEST(MonteCarlo, KnowsThatACertificateIsTheSameInAllPlacements) {
   const auto results = summary(monte_carlo->quantities(), trials(example, few_quantities(), 0, 600));
   int lengths = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FollowedQuantity& quantity = monte_carlo->quantities()[i];
-    if (quantity.kind == FollowedQuantity::Kind::Length) {
+    const Measurand& quantity = monte_carlo->quantities()[i];
+    if (quantity.kind == Measurand::Kind::Length) {
       ++lengths;
       EXPECT_NEAR(results[i].u / quantity.estimate, u / 500.0, 0.12 * u / 500.0);
       EXPECT_NEAR(*quantity.u_linear / quantity.estimate, u / 500.0, 0.02 * u / 500.0);  // and so does first order
@@ -209,8 +209,8 @@ TEST(MonteCarlo, DrawsTemperaturesAnewInEachPlacement) {
       MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
   const auto results = summary(monte_carlo->quantities(), trials(example, options, 0, 600));
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FollowedQuantity& quantity = monte_carlo->quantities()[i];
-    if (quantity.kind == FollowedQuantity::Kind::Length) {
+    const Measurand& quantity = monte_carlo->quantities()[i];
+    if (quantity.kind == Measurand::Kind::Length) {
       EXPECT_NEAR(results[i].u / quantity.estimate, 23e-6, 2.8e-6);
       EXPECT_TRUE(results[i].differs_from_linear);  // which knows of no temperature
     }
@@ -231,8 +231,8 @@ TEST(MonteCarlo, DrawsTheArmsTemperatureAnewInEachPlacement) {
     const double relative = 20e-6 / std::sqrt(placements);
     int lengths = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
-      const FollowedQuantity& quantity = monte_carlo->quantities()[i];
-      if (quantity.kind == FollowedQuantity::Kind::Length) {
+      const Measurand& quantity = monte_carlo->quantities()[i];
+      if (quantity.kind == Measurand::Kind::Length) {
         ++lengths;
         EXPECT_NEAR(results[i].u / quantity.estimate, relative, 0.12 * relative) << placements;
         EXPECT_TRUE(results[i].differs_from_linear);
@@ -341,8 +341,8 @@ TEST(MonteCarlo, IsWiderWhereFewResidualsToldTheNoise) {
       MonteCarlo::prepare(example.recording, example.constraints, example.options, example.identification, options);
   const auto results = summary(monte_carlo->quantities(), trials(example, options, 0, number));
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const FollowedQuantity& quantity = monte_carlo->quantities()[i];
-    if (quantity.kind != FollowedQuantity::Kind::Parameter) continue;
+    const Measurand& quantity = monte_carlo->quantities()[i];
+    if (quantity.kind != Measurand::Kind::Parameter) continue;
     // Of the deviation of a t-distribution: its excess kurtosis is 6/(ν − 4).
     const double error = std::sqrt((2.0 + 6.0 / (nu - 4.0)) / 4.0 / number);
     EXPECT_NEAR(results[i].u / *quantity.u_linear / std::sqrt(nu / (nu - 2.0)), 1.0, 4.0 * error) << quantity.name;
@@ -350,7 +350,7 @@ TEST(MonteCarlo, IsWiderWhereFewResidualsToldTheNoise) {
 }
 
 TEST(MonteCarlo, SaysThatFirstOrderDiffersWhereTheTrialsTellIt) {
-  FollowedQuantity quantity;
+  Measurand quantity;
   quantity.u_linear = 1.0;
   for (const auto& [trials, spread, differs] :
        {std::tuple{50, 1.2, false}, std::tuple{5000, 1.2, true}, std::tuple{5000, 0.8, true}, std::tuple{50, 3.0, true},

@@ -129,7 +129,8 @@ TEST_F(UncertainArmTest, DiameterAgreesWithMonteCarlo) {
   std::vector<UncertainTip> tips;
   RandomStream random(13, "sphere");
   while (postures.size() < 25) {
-    if (const auto q = reach_point(erring_, 0, centre + 15.7 * random.direction(), posture(100 + postures.size()))) {
+    if (const auto q =
+            reach_with_joints(erring_, 0, centre + 15.7 * random.direction(), posture(100 + postures.size()))) {
       postures.push_back(*q);
       tips.push_back(arm_.tip(*q));
     }
@@ -156,7 +157,7 @@ TEST(UncertainArm, TheTipsRadiusCountsTwiceInADiameterAndNotInALength) {
   const Eigen::Vector3d centre = uncertain.tip(posture(3)).in_base;
   RandomStream random(13, "sphere");
   while (tips.size() < 9) {
-    if (const auto q = reach_point(arm, 0, centre + 15.7 * random.direction(), posture(100 + tips.size()))) {
+    if (const auto q = reach_with_joints(arm, 0, centre + 15.7 * random.direction(), posture(100 + tips.size()))) {
       tips.push_back(uncertain.tip(*q));
     }
   }

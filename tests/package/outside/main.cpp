@@ -16,10 +16,10 @@ int main() {
   arm.joints[1].a = 200.0;
   arm.probes.resize(1);
 
-  const artcal::Sweep sweep(arm, artcal::parameters_of(arm), 0);
+  const artcal::ForwardKinematics kinematics(arm, artcal::parameters_of(arm), 0);
   std::array<double, 4> sines{};
   artcal::joint_sines(std::array{0.0, std::acos(0.0)}, sines);
-  const Eigen::Vector3d tip_in_base = sweep.tip_in_base(sines);
+  const Eigen::Vector3d tip_in_base = kinematics.tip_in_base(sines);
   std::printf("%.3f %.3f %.3f\n", tip_in_base.x(), tip_in_base.y(), tip_in_base.z());
 
   // An identification without a reading: refused as a value, with Ceres linked behind it.

@@ -118,7 +118,7 @@ TEST(Drift, OfParametersWhosePartnersWereFixedElsewhereIsToldInOneGauge) {
   const std::string page = page_of({first, second});
   EXPECT_THAT(page, HasSubstr("a6 was fixed at different values"));
   EXPECT_EQ(significant_in(page), 1);
-  // Where nothing says that no reading sees the difference, it is not told.
+  // Where nothing says that no reading sees the difference, it is not determined.
   second["coupling"]["lost"].clear();
   const std::string other = page_of({first, second});
   EXPECT_THAT(other, HasSubstr("a6 was fixed at 0 and then at 5 mm"));

@@ -91,11 +91,11 @@ struct Case {
     }
     for (int position = 1; position <= 7; ++position) {
       const Rigid base_from_bar{random.rotation(), 300.0 * random.direction()};
-      const double growth = std::isfinite(temperature) ? 1.0 + 5.5e-6 * (temperature - 20.0) : 1.0;
+      const double expansion_factor = std::isfinite(temperature) ? 1.0 + 5.5e-6 * (temperature - 20.0) : 1.0;
       for (int repeat = 1; repeat <= 3; ++repeat) {
         for (int i = 0; i < 6; ++i) {
           touch({"bar", fmt::format("{}", position), fmt::format("{}", i), "", fmt::format("{}", repeat)},
-                base_from_bar * Eigen::Vector3d(growth * 200.0 * i, 0.0, 0.0), testing::pattern_25());
+                base_from_bar * Eigen::Vector3d(expansion_factor * 200.0 * i, 0.0, 0.0), testing::pattern_25());
         }
       }
     }

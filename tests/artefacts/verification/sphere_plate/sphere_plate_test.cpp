@@ -57,9 +57,9 @@ struct Case {
     RandomStream random(seed, "plate readings");
     for (int i = 0; i < static_cast<int>(artefact.features.size()); ++i) {
       if (name_of(i).empty()) continue;
-      const double growth = std::isfinite(temperature) ? artefact.expansion_factor(temperature) : 1.0;
+      const double expansion_factor = std::isfinite(temperature) ? artefact.expansion_factor(temperature) : 1.0;
       const Eigen::Vector3d centre =
-          base_from_plate(i) * Eigen::Vector3d(growth * (*artefact.features[i].at + error(i)));
+          base_from_plate(i) * Eigen::Vector3d(expansion_factor * (*artefact.features[i].at + error(i)));
       readings.touch_ball({"plate", "P1", name_of(i), "", ""}, scale * centre, 11.0, testing::pattern_25(), noise,
                           random, temperature);
     }
@@ -123,8 +123,8 @@ TEST(SpherePlate, OneBallOffByTenMicrometresIsNamed) {
   EXPECT_THAT(result.verification.warnings, ::testing::ElementsAre(HasSubstr("ball \"B3\" is off by")));
   int stand_out = 0;
   for (const BallResidual& ball : result.placements[0].balls) {
-    stand_out += ball.stands_out ? 1 : 0;
-    EXPECT_EQ(ball.stands_out, ball.feature == "B3") << ball.standardised;
+    stand_out += ball.is_outlier ? 1 : 0;
+    EXPECT_EQ(ball.is_outlier, ball.feature == "B3") << ball.standardised;
   }
   // 24/25 of it stays in the residual: the pose follows a little.
   EXPECT_NEAR(result.placements[0].balls[7].residual_in_plate.x(), 0.006, 0.0015);

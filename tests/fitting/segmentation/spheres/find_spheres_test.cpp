@@ -128,7 +128,7 @@ TEST(FindSpheres, StemsDoNotPull) {
   settings.views = 3;
   const SimulatedScan scan = simulate_scan(settings);
   const auto stems = scan.points_on(on::stem);
-  ASSERT_GT(stems.size(), 1000u);  // there is something to be told apart
+  ASSERT_GT(stems.size(), 1000u);  // there is something to be distinguished
   const SphereSearchResult result = found_in(scan, settings.radius);
   ASSERT_THAT(result.spheres, SizeIs(3));
   for (const FoundSphere& sphere : result.spheres) {
