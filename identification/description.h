@@ -2,19 +2,18 @@
 
 #include <vector>
 
-#include "identification/least_squares/arm_fit.h"
-#include "identification/problem/preparation.h"
-#include "identification/uncertainty/correlated_errors.h"
+#include "identification/estimation.h"
+#include "identification/uncertainty/estimate_uncertainty.h"
 
 namespace artcal {
 
-/// Every parameter of the arm, and what became of it; `covariance` is of Preparation::free.
-std::vector<IdentifiedParameter> describe(const Arm& nominal, const Arm& identified, const Preparation& preparation,
-                                          const Eigen::MatrixXd& covariance);
+/// Every parameter of the arm with its state, its value, its standard uncertainty and the effective degrees of freedom
+/// of that.
+std::vector<IdentifiedParameter> describe_parameters(const Arm& nominal, const Estimate& estimate,
+                                                     const EstimateUncertainty& uncertainty, const Noise& noise);
 
-/// What a fit says of the numbers of the artefacts themselves; `common` from correlated_certificate_errors(), `scale
-/// factor` as in Identification.
-std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const ArmFit& fit,
-                                              const CommonErrors& common, double scale_factor);
+/// What an estimate says of the numbers of the artefacts themselves.
+std::vector<ArtefactValue> describe_artefacts(const Constraints& constraints, const Estimate& estimate,
+                                              const EstimateUncertainty& uncertainty);
 
 }  // namespace artcal

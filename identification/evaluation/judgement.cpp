@@ -21,34 +21,30 @@ constexpr std::size_t max_readings_named = 5;
 
 }  // namespace
 
-void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result) {
-  result.noise = fit.noise;
-  result.degrees_of_freedom = agreement.degrees_of_freedom;
-  result.chi_squared = agreement.chi_squared;
-  result.chi_squared_low = agreement.low;
-  result.chi_squared_high = agreement.high;
-  if (!result.noise_is_given) {
-    return;
+std::string warning_of(const GoodnessOfFit& goodness_of_fit, double scale_factor, const Noise& noise) {
+  if (!noise.is_given()) {
+    return "";
   }
-  if (result.chi_squared > result.chi_squared_high) {
-    result.scale_factor = std::max(1.0, agreement.ratio);
-    result.warnings.push_back(
-        fmt::format("the residuals are {:.2f} times the stated noise, more than chance allows: "
-                    "the noise is larger, or the arm has errors this model does not know; all "
-                    "standard uncertainties were multiplied by that factor (Birge ratio)",
-                    result.scale_factor));
-  } else if (result.chi_squared < result.chi_squared_low) {
-    result.warnings.push_back(
-        fmt::format("the residuals are only {:.2f} times the stated noise: the noise is stated "
-                    "too large, and so are the standard uncertainties",
-                    agreement.ratio));
+  if (goodness_of_fit.chi_squared > goodness_of_fit.high) {
+    return fmt::format(
+        "the residuals are {:.2f} times the stated noise, more than chance allows: the noise is larger, or the arm has "
+        "errors this model does not know; all standard uncertainties were multiplied by that factor (Birge ratio)",
+        scale_factor);
   }
+  if (goodness_of_fit.chi_squared < goodness_of_fit.low) {
+    return fmt::format(
+        "the residuals are only {:.2f} times the stated noise: the noise is stated too large, and so are the standard "
+        "uncertainties",
+        goodness_of_fit.ratio);
+  }
+  return "";
 }
 
 Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters) {
   std::string absurd, names;
   for (const IdentifiedParameter& p : parameters) {
-    if (p.state == ParameterState::Identified && p.parameter.is_joint_error() &&
+    const bool found = p.state == ParameterState::Identified || p.state == ParameterState::Weak;
+    if (found && p.parameter.is_joint_error() &&
         (!(std::abs(p.identified) <= most_of(p.parameter.kind)) ||
          (p.parameter.kind == ParameterKind::Compliance && p.identified < 0.0))) {
       absurd += fmt::format("{}{} = {:.3g} with a standard uncertainty of {:.2g}", absurd.empty() ? "" : ", ",
@@ -105,22 +101,16 @@ std::vector<std::string> suspicions(const Identification& result, double length)
   return warnings;
 }
 
-void mark_weak(std::vector<std::string> names, Identification& result) {
+std::string warning_of_weak_prior(const std::vector<std::string>& names, std::size_t identified) {
   if (names.empty()) {
-    return;
+    return "";
   }
-  for (IdentifiedParameter& parameter : result.parameters) {
-    if (std::find(names.begin(), names.end(), parameter.parameter.name) != names.end()) {
-      parameter.state = ParameterState::Weak;
-    }
-  }
-  result.warnings.push_back(fmt::format(
+  return fmt::format(
       "these readings alone do not determine {} within 10 mm or 3 deg, and the estimation does not converge to a "
       "plausible arm: a weak prior about the nominal values (standard deviation 10 mm or 3 deg) was added, which "
       "decides {} of {} parameters and is counted in the uncertainties. More varied postures, or --hold, make it "
       "unnecessary",
-      fmt::join(names, ", "), names.size(), result.free.size()));
-  result.weak = std::move(names);
+      fmt::join(names, ", "), names.size(), identified);
 }
 
 Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where) {

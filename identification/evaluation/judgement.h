@@ -5,13 +5,12 @@
 
 #include "identification/evaluation/goodness_of_fit.h"
 #include "identification/identify.h"
-#include "identification/least_squares/arm_fit.h"
 
 namespace artcal {
 
-/// Whether the residuals are as large as the noise says: writes noise, degrees of freedom, χ² and its limits, the
-/// scale factor and a warning.
-void judge_noise(const ArmFit& fit, const GoodnessOfFit& agreement, Identification& result);
+/// What to say where the residuals are larger or smaller than the stated noise; empty where they agree, and where no
+/// noise was stated.
+std::string warning_of(const GoodnessOfFit& goodness_of_fit, double scale_factor, const Noise& noise);
 
 /// No solution: errors that no joint has, since readings that hardly determine them let them run away.
 Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parameters);
@@ -19,8 +18,8 @@ Expected<void> check_joint_errors(const std::vector<IdentifiedParameter>& parame
 /// Things that are no error but that a careful person would want to know; `length` is the arm's reach, mm.
 std::vector<std::string> suspicions(const Identification& result, double length);
 
-/// Parameters with a weak prior, because the readings hardly determine them: their state, and a warning.
-void mark_weak(std::vector<std::string> names, Identification& result);
+/// What to say of parameters with a weak prior, of so many identified ones; empty where there are none.
+std::string warning_of_weak_prior(const std::vector<std::string>& names, std::size_t identified);
 
 /// Why a fit with misfits (identification/evaluation/misfit.h) is refused: what they are, which readings are outliers
 /// of an arm that fits all others (where there is such an arm), what to do. `where` names the places of these readings.

@@ -1,4 +1,4 @@
-#include "identification/identifiability/coupling_analysis.h"
+#include "identification/identifiability/coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "identification/identifiability/svd.h"
 #include "identification/initial/constraint_projection.h"
 #include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/linearisation.h"
 #include "identification/problem/weights.h"
 
 namespace artcal {
@@ -81,13 +82,6 @@ void find_weak(const Eigen::MatrixXd& v, const Eigen::VectorXd& scale, const Eig
   }
 }
 
-// Whether the analysis leaves readings and unknowns where they are (make_consistent, satisfy_distances).
-bool is_as_read(const Constraints& constraints) {
-  return constraints.binding_distance_count() == 0 &&
-         std::none_of(constraints.features.begin(), constraints.features.end(),
-                      [&](const FeatureConstraint& feature) { return needs_moving(feature, constraints); });
-}
-
 }  // namespace
 
 std::vector<int> Coupling::fixed() const {
@@ -107,8 +101,8 @@ std::vector<std::string> default_hold_order(const Arm& arm) {
           fmt::format("alpha{}", n), fmt::format("theta{}", n)};
 }
 
-Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints& constraints, const Arm& arm,
-                                   const CouplingOptions& options) {
+Expected<Coupling> analyse_coupling(const Recording& recording, const Constraints& constraints, const Arm& arm,
+                                    const CouplingOptions& options) {
   if (constraints.features.empty()) {
     return no_solution("there are no readings on any feature, and so nothing to identify an arm from");
   }
@@ -118,8 +112,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
                     "wrong?",
                     arm.name, length, shortest_arm, longest_arm));
   }
-  CouplingAnalysis analysis;
-  Coupling& coupling = analysis.coupling;
+  Coupling coupling;
   for (const auto& parameter : all_parameters(arm)) {
     const bool is_known = parameter.kind == ParameterKind::Radius || parameter.is_joint_error();
     const bool asked = !is_known || contains(options.beside_asked, parameter.name);
@@ -140,7 +133,7 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
 
   // Weights are inverse standard deviations; times the noise, singular values are in mm per mm.
   const Weights weights = first_weights(system, arm, *unknowns, options.noise);
-  Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
+  const Linearisation linearisation = linearise(system, weights, Loss::None, arm, *unknowns);
   const Eigen::MatrixXd triangle = typical_noise(weights) * arm_triangle(linearisation, system.arm_size());
   const Svd decomposition = svd(triangle);
   coupling.singular_values = decomposition.values;
@@ -156,34 +149,26 @@ Expected<CouplingAnalysis> analyse(const Recording& recording, const Constraints
   const Eigen::MatrixXd& v = decomposition.right_vectors;
   const Eigen::MatrixXd null_space = v.rightCols(v.cols() - coupling.rank);
   const Eigen::VectorXd expansion_factor = scale_motion(arm, coupling.parameters, system.scale);
-  const Eigen::VectorXd lost_scale = unidentifiable_scale(arm, coupling.parameters, expansion_factor, null_space);
+  const Eigen::VectorXd unidentifiable_scale_motion =
+      unidentifiable_scale(arm, coupling.parameters, expansion_factor, null_space);
   const SimplestDirections directions = simplest_directions(
       null_space, usual_errors(arm, coupling.parameters, system.scale),
-      {indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free)}, lost_scale);
+      {indices_of(coupling.parameters, order), indices_of(coupling.parameters, options.rather_free)},
+      unidentifiable_scale_motion);
   for (Eigen::Index i = 0; i < directions.shown.cols(); ++i) {
     const int fixed = directions.fixed.indices[static_cast<std::size_t>(i)];
     coupling.unidentifiable.push_back(in_real_units({directions.shown.col(i), fixed}, system.scale));
   }
-  // What of the growth is not lost anyway.
+  // The part of the common scale that is identifiable.
   const Eigen::VectorXd seen = expansion_factor - null_space * (null_space.transpose() * expansion_factor);
   find_weak(v, system.scale, seen, directions.fixed, options.weak_below, coupling);
-  if (lost_scale.size() > 0) {
+  if (unidentifiable_scale_motion.size() > 0) {
     coupling.scale = ScaleState::Unidentifiable;
   } else if (std::any_of(coupling.weak.begin(), coupling.weak.end(),
                          [](const WeakDirection& weak) { return weak.share_of_scale > 0.7; })) {
     coupling.scale = ScaleState::Weak;
   }
-  if (is_as_read(constraints)) {
-    analysis.as_read = std::move(linearisation);
-  }
-  return analysis;
-}
-
-Expected<Coupling> analyse_coupling(const Recording& recording, const Constraints& constraints, const Arm& arm,
-                                    const CouplingOptions& options) {
-  return analyse(recording, constraints, arm, options).map([](CouplingAnalysis&& analysis) {
-    return std::move(analysis.coupling);
-  });
+  return coupling;
 }
 
 }  // namespace artcal

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/units.h"
-#include "identification/initial/solution_search.h"
+#include "identification/estimation.h"
 
 namespace artcal {
 namespace {

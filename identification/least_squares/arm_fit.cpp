@@ -57,6 +57,13 @@ void take_solution(Solution&& solution, const System& system, Eigen::VectorXd& x
   fit.residuals = whitened_residuals(system, fit.weights, fit.arm, fit.unknowns);
 }
 
+Redundancy redundancy_of(const Recording& recording, const Constraints& constraints, const ArmFit& fit,
+                         const std::vector<Parameter>& free) {
+  System system = make_system(recording, constraints, fit.arm, free);
+  system.scale = fit.scale;  // of the linearisation's columns
+  return redundancy_of(system, fit.weights, fit.loss_weights, fit.linearisation, fit.arm, fit.unknowns);
+}
+
 bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free) {
   double squares = 0.0;
   int count = 0;
@@ -71,7 +78,7 @@ bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Pa
 
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
                          const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
-                         const Linearisation* at_start, const WeakPrior& prior) {
+                         const WeakPrior& prior) {
   const System system = make_system(recording, constraints, start, free);
   auto unknowns = estimate_nuisance_parameters(system, start, recording);
   if (!unknowns) {
@@ -108,8 +115,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
     SolveOptions round{first_loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
     put_prior(prior, system, round);
-    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round,
-                              fit.rounds == 0 && round.loss == Loss::None ? at_start : nullptr);
+    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round);
     const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
     if (solution.termination != Termination::Converged && !is_usable) {
       return no_solution(

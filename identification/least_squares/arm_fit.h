@@ -11,7 +11,7 @@
 
 namespace artcal {
 
-/// One least-squares identification with its noise settled.
+/// One least-squares identification with its noise determined.
 struct ArmFit {
   Arm arm;
   Unknowns unknowns;
@@ -42,18 +42,21 @@ struct WeakPrior {
 /// what the solver says of itself. `x` becomes the solution's.
 void take_solution(Solution&& solution, const System& system, Eigen::VectorXd& x, ArmFit& fit);
 
+/// redundancy_of() of all observations of a fit.
+Redundancy redundancy_of(const Recording& recording, const Constraints& constraints, const ArmFit& fit,
+                         const std::vector<Parameter>& free);
+
 /// Whether the parameters found with a prior contradict it (chi-squared, 0.1 %): then the readings do not determine the
 /// arm, and what the fit made of them is the bias of a nearly free direction.
 bool contradicts(const WeakPrior& prior, const ArmFit& fit, const std::vector<Parameter>& free);
 
 /// Solves, takes the noise from the residuals where it is not given (so that residuals of readings and certified
 /// distances together have the χ² of their degrees of freedom), sets the weights accordingly, and solves again until
-/// the noise stands. With a loss robust_fit() goes on from there.
-/// `start` holds the free parameters' start and all others' values; `at_start` the linearisation there under
-/// first_weights(), if it is known already.
+/// the noise converges. With a loss robust_fit() goes on from there.
+/// `start` holds the free parameters' start and all others' values.
 /// No solution: no degree of freedom left, no convergence.
 Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constraints, const Arm& start,
                          const std::vector<Parameter>& free, const Noise& noise, const SolveOptions& options,
-                         const Linearisation* at_start = nullptr, const WeakPrior& prior = {});
+                         const WeakPrior& prior = {});
 
 }  // namespace artcal

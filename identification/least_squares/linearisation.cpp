@@ -149,24 +149,4 @@ Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size) {
   return eliminate_nuisance(linearisation, arm_size);
 }
 
-Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept) {
-  Linearisation result;
-  const auto size = static_cast<Eigen::Index>(kept.size());
-  result.layout = linearisation.layout;
-  result.layout.size += size - arm_size;
-  for (const BlockRows& block : linearisation.blocks) {
-    const Eigen::Index before_arm = block.nuisance();
-    Eigen::MatrixXd chosen(block.rows.rows(), before_arm + size + 1);
-    chosen.leftCols(before_arm) = block.rows.leftCols(before_arm);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      chosen.col(before_arm + i) = block.rows.col(before_arm + kept[i]);
-    }
-    chosen.rightCols<1>() = block.rows.rightCols<1>();
-    RowStack stack(static_cast<int>(chosen.cols()));
-    stack.add(chosen);
-    result.blocks.push_back({block.group, block.unknowns, block.parameters, stack.rows()});
-  }
-  return result;
-}
-
 }  // namespace artcal

@@ -80,7 +80,4 @@ inline double weighted_shared(const ArtefactParameter& shared, double weight, do
 /// The triangle of the arm's parameters alone, all unknowns eliminated: at most one row a parameter.
 Eigen::MatrixXd arm_triangle(const Linearisation& linearisation, int arm_size);
 
-/// The same system with only some of the arm's parameters, by index.
-Linearisation with_parameters(const Linearisation& linearisation, int arm_size, const std::vector<int>& kept);
-
 }  // namespace artcal

@@ -19,9 +19,9 @@ namespace {
 constexpr int max_dense = 300;
 
 /// Sweeps at the arm's x that was asked for last: Ceres evaluates all blocks at one x before it goes on.
-class SweepsAt {
+class KinematicsAt {
  public:
-  explicit SweepsAt(const System& system) : system_(system) {}
+  explicit KinematicsAt(const System& system) : system_(system) {}
   const std::vector<ForwardKinematics>& operator()(const double* x) {
     const auto at = Eigen::VectorXd::Map(x, system_.arm_size());
     if (kinematics_by_probe_.empty() || at != x_) {
@@ -44,7 +44,7 @@ class SweepsAt {
 class BlockCost final : public ceres::CostFunction {
  public:
   BlockCost(const System& system, const Weights& weights, Loss loss, Block block, GroupReference reference,
-            const double* shared, SweepsAt& kinematics_by_probe, const Eigen::MatrixXd* at_start, BlockRows& rows)
+            const double* shared, KinematicsAt& kinematics_by_probe, BlockRows& rows)
       : system_(system),
         weights_(weights),
         loss_(loss),
@@ -52,7 +52,6 @@ class BlockCost final : public ceres::CostFunction {
         reference_(std::move(reference)),
         shared_(shared),
         kinematics_by_probe_(kinematics_by_probe),
-        at_start_(at_start),
         rows_(rows) {
     set_num_residuals(max_rows(system, loss, block_));
     for (const int size : {system.arm_size(), block_.unknowns, block_.parameters.size}) {
@@ -75,12 +74,7 @@ class BlockCost final : public ceres::CostFunction {
       out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, kinematics_by_probe_(x), point));
       return true;
     }
-    if (at_start_ != nullptr) {
-      rows_.rows = *at_start_;  // Ceres evaluates first where it starts
-      at_start_ = nullptr;
-    } else {
-      rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point);
-    }
+    rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point);
     const Eigen::MatrixXd& rows = rows_.rows;
     out.head(rows.rows()) = rows.rightCols<1>();
     next = 0;
@@ -105,8 +99,7 @@ class BlockCost final : public ceres::CostFunction {
   Block block_;
   GroupReference reference_;
   const double* shared_;
-  SweepsAt& kinematics_by_probe_;
-  mutable const Eigen::MatrixXd* at_start_;
+  KinematicsAt& kinematics_by_probe_;
   BlockRows& rows_;  // the last evaluated: at the end, the solution's
 };
 
@@ -239,7 +232,7 @@ void choose_linear_solver(const std::vector<BlockRows>& blocks, int arm_size, Nu
 }  // namespace
 
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
-               const SolveOptions& options, const Linearisation* at_start) {
+               const SolveOptions& options) {
   Solution solution;
   solution.x = x_start;
   solution.unknowns = std::move(start);
@@ -250,7 +243,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   for (const Block& block : blocks) {
     linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, {}});
   }
-  SweepsAt kinematics_by_probe(system);
+  KinematicsAt kinematics_by_probe(system);
   ceres::Problem problem;
   ceres::Solver::Options ceres_options = solver_options(options);
   StopWhenStill stop_when_still(options.still);
@@ -274,9 +267,8 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     }
     const GroupReference reference =
         block.group < 0 ? GroupReference{} : solution.unknowns.groups[block.group].reference;
-    auto cost = std::make_unique<BlockCost>(
-        system, weights, options.loss, block, reference, numbers.shared(), kinematics_by_probe,
-        at_start == nullptr ? nullptr : &at_start->blocks[b].rows, linearisation.blocks[b]);
+    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, block, reference, numbers.shared(),
+                                            kinematics_by_probe, linearisation.blocks[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   if (options.prior_weights.size() > 0) {

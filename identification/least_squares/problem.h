@@ -40,9 +40,8 @@ struct Solution {
 /// Marquardt that begins as Gauss-Newton. Groups of unknowns and artefact parameters are eliminated by Schur
 /// complement, whichever side of an artefact leaves the smaller system (Component). A residual block is a Block with
 /// all its readings, compressed (BlockRows): Ceres sees tens of rows where there may be thousands of readings. One
-/// thread: sums keep their order, and so the result its bits. `at_start` may hold the linearisation at the start, if it
-/// is known already.
+/// thread: sums keep their order, and so the result its bits.
 Solution solve(const System& system, const Weights& weights, const Eigen::VectorXd& x_start, Unknowns start,
-               const SolveOptions& options = {}, const Linearisation* at_start = nullptr);
+               const SolveOptions& options = {});
 
 }  // namespace artcal

@@ -135,7 +135,7 @@ class Fitting {
   Expected<GroupFit> fit() && {
     while (true) {
       auto fit = fit_arm(recording_, constraints_, preparation_.start, preparation_.free, options_.noise,
-                         SolveOptions{options_.loss, options_.max_iterations}, preparation_.known_start(), prior_);
+                         SolveOptions{options_.loss, options_.max_iterations}, prior_);
       const auto members = members_in(preparation_.free, nominal_, options_);
       if (members.empty()) {
         return std::move(fit).map([&](ArmFit&& done) {
@@ -178,7 +178,7 @@ class Fitting {
       std::erase_if(chain, [&](const Parameter& p) { return p.name == preparation_.free[member.free].name; });
     }
     const auto fit = fit_arm(recording_, constraints_, preparation_.start, chain, options_.noise,
-                             SolveOptions{options_.loss, options_.max_iterations}, nullptr, prior_);
+                             SolveOptions{options_.loss, options_.max_iterations}, prior_);
     if (!fit) {
       return tl::unexpected(why);
     }
@@ -195,7 +195,6 @@ class Fitting {
         {parameter.name, group, finding.reason, finding.estimate, finding.u, reason_text(parameter, finding)});
     set_value(preparation_.start, parameter, value(nominal_, parameter));
     preparation_.free.erase(preparation_.free.begin() + finding.member.free);
-    preparation_.at_start.reset();
     const auto members = members_of(group, nominal_);
     if (std::any_of(members.begin(), members.end(),
                     [&](const Parameter& p) { return find_parameter(preparation_.free, p.name) >= 0; })) {

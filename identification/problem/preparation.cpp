@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/recording/tip_centres.h"
-#include "identification/identifiability/coupling_analysis.h"
+#include "identification/identifiability/coupling.h"
 #include "identification/identifiability/selection.h"
 #include "identification/problem/start.h"
 
@@ -42,33 +42,24 @@ Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Re
                                   const Constraints& constraints, const Selection& selection, const Noise& noise) {
   CouplingOptions coupling_request = coupling_options(selection);
   coupling_request.noise = noise;
-  auto analysis = analyse(recording, constraints, start, coupling_request);
-  if (!analysis) {
-    return tl::unexpected(analysis.error());
+  auto coupling = analyse_coupling(recording, constraints, start, coupling_request);
+  if (!coupling) {
+    return tl::unexpected(coupling.error());
   }
-  if (analysis->coupling.scale == ScaleState::Unidentifiable) {
+  if (coupling->scale == ScaleState::Unidentifiable) {
     return tl::unexpected(scale_is_unidentifiable());
   }
-  auto free = free_parameters(selection, analysis->coupling);
+  auto free = free_parameters(selection, *coupling);
   if (!free) {
     return tl::unexpected(free.error());
   }
   if (free->empty()) {
     return no_solution("nothing is left to identify: every parameter is fixed or unidentifiable");
   }
-  Preparation preparation{nominal, std::move(analysis->coupling), std::move(*free), {}};
-  const auto& asked = preparation.coupling.parameters;
-  std::vector<int> kept;
-  // Held parameters stay nominal, fitted tip or not.
+  Preparation preparation{nominal, std::move(*coupling), std::move(*free)};
+  // Fixed parameters stay nominal, fitted tip or not.
   for (const Parameter& parameter : preparation.free) {
     set_value(preparation.start, parameter, value(start, parameter));
-    kept.push_back(find_parameter(asked, parameter.name));
-  }
-  const bool starts_there = std::all_of(asked.begin(), asked.end(), [&](const Parameter& parameter) {
-    return value(preparation.start, parameter) == value(start, parameter);
-  });
-  if (analysis->as_read && starts_there) {
-    preparation.at_start = with_parameters(*analysis->as_read, static_cast<int>(asked.size()), kept);
   }
   return preparation;
 }

@@ -1,27 +1,22 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "identification/identify.h"
 #include "identification/initial/initial_alignment.h"
-#include "identification/least_squares/linearisation.h"
 
 namespace artcal {
 
-/// What is settled before anything is solved.
+/// What is known before anything is solved.
 struct Preparation {
   Arm start;
   Coupling coupling;
   std::vector<Parameter> free;
-  std::optional<Linearisation> at_start;  ///< by the free parameters, where it is known already
-
-  [[nodiscard]] const Linearisation* known_start() const { return at_start ? &*at_start : nullptr; }
 };
 
 /// The start after an initial alignment, and of the parameters asked for those that these readings determine there.
 /// Usage: a model that makes no sense for this arm, or names that it does not have. No solution: the alignment failed,
-/// the scale is unidentifiable, or nothing is left to identify; see also analyse() and arm_with_fitted_tips().
+/// the scale is unidentifiable, or nothing is left to identify; see also analyse_coupling() and arm_with_fitted_tips().
 /// The alignment begins at the nominal arm, or at `from`.
 Expected<Preparation> prepare(const Recording& recording, const Constraints& constraints,
                               const IdentifyOptions& options, Alignment alignment, const Arm* from = nullptr);

@@ -1,4 +1,4 @@
-#include "identification/initial/solution_search.h"
+#include "identification/estimation.h"
 
 #include <cmath>
 #include <optional>
@@ -7,6 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/text/in_quotes.h"
+#include "identification/evaluation/judgement.h"
+#include "identification/evaluation/outliers.h"
+#include "identification/identifiability/parallel_axes.h"
 #include "identification/identifiability/weak_parameters.h"
 #include "identification/models/group_fit.h"
 
@@ -83,8 +87,8 @@ Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparatio
   return fixed;
 }
 
-Expected<Candidate> candidate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
-                                   const IdentifyOptions& options, const Arm* from = nullptr) {
+Expected<Estimate> estimate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
+                                 const IdentifyOptions& options, const Arm* from = nullptr) {
   const auto preparation = prepare(recording, constraints, options, alignment, from);
   auto fit = fitted(preparation, recording, constraints, options);
   std::vector<std::string> weak;
@@ -102,31 +106,31 @@ Expected<Candidate> candidate_from(Alignment alignment, const Recording& recordi
     return tl::unexpected(after.error());
   }
   auto reasons = misfits(fit->fit, *after, recording.arm, fit->preparation.free, options.noise, options.loss);
-  return Candidate{alignment,
-                   1,
-                   std::move(fit->preparation),
-                   std::move(fit->fit),
-                   std::move(*after),
-                   std::move(reasons),
-                   std::move(weak),
-                   std::move(fit->fixed)};
+  return Estimate{alignment,
+                  1,
+                  std::move(fit->preparation),
+                  std::move(fit->fit),
+                  std::move(*after),
+                  std::move(reasons),
+                  std::move(weak),
+                  std::move(fit->fixed)};
 }
 
 // By what the least squares made small: the noise that would explain the residuals.
-double residual_size(const Candidate& candidate, const IdentifyOptions& options) {
-  return options.noise.is_given() ? noise_ratio(candidate.fit, options.loss) : candidate.fit.noise;
+double residual_size(const Estimate& estimate, const IdentifyOptions& options) {
+  return options.noise.is_given() ? noise_ratio(estimate.fit, options.loss) : estimate.fit.noise;
 }
 
-bool is_better(const Candidate& candidate, const Candidate& best, const IdentifyOptions& options) {
-  if (candidate.misfits.empty() != best.misfits.empty()) {
-    return candidate.misfits.empty();
+bool is_better(const Estimate& estimate, const Estimate& best, const IdentifyOptions& options) {
+  if (estimate.misfits.empty() != best.misfits.empty()) {
+    return estimate.misfits.empty();
   }
-  return residual_size(candidate, options) < residual_size(best, options);
+  return residual_size(estimate, options) < residual_size(best, options);
 }
 
 // Whether the residuals are of the size of the stated noise.
-bool as_stated(const Candidate& candidate, const IdentifyOptions& options) {
-  return options.noise.is_given() && residual_size(candidate, options) < sure_noise_ratio;
+bool as_stated(const Estimate& estimate, const IdentifyOptions& options) {
+  return options.noise.is_given() && residual_size(estimate, options) < sure_noise_ratio;
 }
 
 // The zero offsets before the rest are a way along the stylus too.
@@ -134,28 +138,28 @@ Alignment family(Alignment alignment) {
   return alignment == Alignment::JointsFirst ? Alignment::StylusCentres : alignment;
 }
 
-bool same_size(const Candidate& one, const Candidate& other, const IdentifyOptions& options) {
+bool same_size(const Estimate& one, const Estimate& other, const IdentifyOptions& options) {
   return std::abs(residual_size(one, options) / residual_size(other, options) - 1.0) < same_minimum;
 }
 
 // Whether another way led to the same minimum.
-bool confirms(const Candidate& candidate, const Candidate& best, const IdentifyOptions& options) {
-  return candidate.misfits.empty() && family(candidate.alignment) != family(best.alignment) &&
-         same_size(candidate, best, options);
+bool confirms(const Estimate& estimate, const Estimate& best, const IdentifyOptions& options) {
+  return estimate.misfits.empty() && family(estimate.alignment) != family(best.alignment) &&
+         same_size(estimate, best, options);
 }
 
 // A wrong minimum is nearer to the right one than the nominal arm was: aligned anew from there, the fit often leaves
 // it.
-void improve(Candidate& candidate, const Recording& recording, const Constraints& constraints,
+void improve(Estimate& estimate, const Recording& recording, const Constraints& constraints,
              const IdentifyOptions& options) {
-  for (int round = 0; round < max_realignments && !as_stated(candidate, options); ++round) {
+  for (int round = 0; round < max_realignments && !as_stated(estimate, options); ++round) {
     bool better = false;
     for (const Alignment alignment : {Alignment::StylusCentres, Alignment::TipCentres}) {
-      const Arm from = candidate.fit.arm;
-      auto again = candidate_from(alignment, recording, constraints, options, &from);
-      if (again && is_better(*again, candidate, options) && !same_size(*again, candidate, options)) {
-        again->alignment = candidate.alignment;
-        candidate = std::move(*again);
+      const Arm from = estimate.fit.arm;
+      auto again = estimate_from(alignment, recording, constraints, options, &from);
+      if (again && is_better(*again, estimate, options) && !same_size(*again, estimate, options)) {
+        again->alignment = estimate.alignment;
+        estimate = std::move(*again);
         better = true;
       }
     }
@@ -167,9 +171,9 @@ void improve(Candidate& candidate, const Recording& recording, const Constraints
 
 }  // namespace
 
-Expected<Candidate> search_solution(const Recording& recording, const Constraints& constraints,
-                                    const IdentifyOptions& options) {
-  std::optional<Candidate> best;
+Expected<Estimate> search_solution(const Recording& recording, const Constraints& constraints,
+                                   const IdentifyOptions& options) {
+  std::optional<Estimate> best;
   std::optional<Error> first_error;
   bool confirmed = false;
   int attempt = 0;
@@ -177,24 +181,24 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
   // Begun at a nominal arm that sees its features, the minimum is the right one.
   const bool starts_near = alignments.front() == Alignment::None;
   for (const Alignment alignment : alignments) {
-    auto candidate = candidate_from(alignment, recording, constraints, options);
+    auto estimate = estimate_from(alignment, recording, constraints, options);
     ++attempt;
-    if (!candidate) {
-      if (candidate.error().code != ErrorCode::NoSolution) {
-        return candidate;
+    if (!estimate) {
+      if (estimate.error().code != ErrorCode::NoSolution) {
+        return estimate;
       }
-      first_error = first_error ? first_error : candidate.error();
+      first_error = first_error ? first_error : estimate.error();
       continue;
     }
     const bool near = starts_near && alignment == Alignment::None;
-    if (!near || !candidate->misfits.empty()) {
-      improve(*candidate, recording, constraints, options);
+    if (!near || !estimate->misfits.empty()) {
+      improve(*estimate, recording, constraints, options);
     }
-    candidate->attempt = attempt;
-    confirmed = candidate->misfits.empty() &&
-                (near || as_stated(*candidate, options) || (best && confirms(*candidate, *best, options)));
-    if (!best || is_better(*candidate, *best, options)) {
-      best = std::move(*candidate);
+    estimate->attempt = attempt;
+    confirmed = estimate->misfits.empty() &&
+                (near || as_stated(*estimate, options) || (best && confirms(*estimate, *best, options)));
+    if (!best || is_better(*estimate, *best, options)) {
+      best = std::move(*estimate);
     }
     if (confirmed) {
       break;
@@ -211,6 +215,47 @@ Expected<Candidate> search_solution(const Recording& recording, const Constraint
                     options.noise.is_given() ? "the stated noise is smaller" : "no noise is stated"));
   }
   return std::move(*best);
+}
+
+namespace {
+
+// The observations that an arm fitted with a robust loss leaves out, if there is one that fits all others.
+std::vector<std::string> observations_to_remove(const Recording& recording, const Constraints& constraints,
+                                                IdentifyOptions options) {
+  options.loss = Loss::Cauchy;
+  const auto found = search_solution(recording, constraints, options);
+  std::vector<std::string> where;
+  if (!found || !found->misfits.empty()) {
+    return where;
+  }
+  const Redundancy redundancy = redundancy_of(recording, constraints, found->fit, found->preparation.free);
+  const Outliers outliers = find_outliers(recording, constraints, found->fit, redundancy, found->after);
+  for (const CertificateOutlier& outlier : outliers.certificates) {
+    where.push_back(fmt::format("the certified {} of artefact {} ({:+.3g} mm)", quantity_text(outlier),
+                                in_quotes(outlier.name.artefact), -outlier.deviation));
+  }
+  for (const Outlier& outlier : outliers.readings) {
+    where.push_back(fmt::format("{} ({}, {}, {:+.3g} mm)", recording.where(outlier.reading), outlier.name.placement,
+                                outlier.name.feature, outlier.deviation));
+  }
+  return where;
+}
+
+}  // namespace
+
+Expected<Estimate> find_estimate(const Recording& recording, const Constraints& constraints,
+                                 const IdentifyOptions& options) {
+  auto estimate = search_solution(recording, constraints, options);
+  if (!estimate) {
+    return tl::unexpected(with_parallel_axes(with_reason(estimate.error(), recording, constraints, recording.arm),
+                                             recording, constraints, options));
+  }
+  if (!estimate->misfits.empty() && !options.accept_misfit) {
+    const auto where = observations_to_remove(recording, constraints, options);
+    return tl::unexpected(
+        with_parallel_axes(misfit_error(estimate->misfits, estimate->attempt, where), recording, constraints, options));
+  }
+  return estimate;
 }
 
 }  // namespace artcal
