@@ -87,9 +87,9 @@ Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparatio
   return fixed;
 }
 
-Expected<Estimate> estimate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
-                                 const IdentifyOptions& options, const Arm* from = nullptr) {
-  const auto preparation = prepare(recording, constraints, options, alignment, from);
+Expected<Estimate> estimate_of(const Expected<Preparation>& preparation, Alignment alignment,
+                               const Recording& recording, const Constraints& constraints,
+                               const IdentifyOptions& options) {
   auto fit = fitted(preparation, recording, constraints, options);
   std::vector<std::string> weak;
   if (preparation && !is_plausible(fit, recording.arm)) {
@@ -114,6 +114,12 @@ Expected<Estimate> estimate_from(Alignment alignment, const Recording& recording
                   std::move(reasons),
                   std::move(weak),
                   std::move(fit->fixed)};
+}
+
+Expected<Estimate> estimate_from(Alignment alignment, const Recording& recording, const Constraints& constraints,
+                                 const IdentifyOptions& options, const Arm* from = nullptr) {
+  return estimate_of(prepare(recording, constraints, options, alignment, from), alignment, recording, constraints,
+                     options);
 }
 
 // By what the least squares made small: the noise that would explain the residuals.
@@ -173,6 +179,13 @@ void improve(Estimate& estimate, const Recording& recording, const Constraints& 
 
 Expected<Estimate> search_solution(const Recording& recording, const Constraints& constraints,
                                    const IdentifyOptions& options) {
+  if (options.start) {
+    auto estimate = estimate_of(prepare_from(arm_for(options.model, *options.start), recording, constraints, options),
+                                Alignment::None, recording, constraints, options);
+    if (estimate && estimate->misfits.empty()) {
+      return estimate;
+    }
+  }
   std::optional<Estimate> best;
   std::optional<Error> first_error;
   bool confirmed = false;

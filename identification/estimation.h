@@ -25,6 +25,7 @@ struct Estimate {
 /// Tries the initial alignments in their order until a fit is surely the solution: the nominal arm saw its features, or
 /// the residuals are of the size of the stated noise, or another alignment led to the same minimum. Where none is, the
 /// estimate whose residuals are smallest, with its misfits.
+/// IdentifyOptions::start is tried before them and is enough where it leads to an estimate without misfits.
 /// No solution: no alignment led to a fit that converges; the error is that of the first.
 Expected<Estimate> search_solution(const Recording& recording, const Constraints& constraints,
                                    const IdentifyOptions& options);

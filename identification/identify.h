@@ -29,6 +29,8 @@ struct IdentifyOptions {
   Noise noise;                 ///< given, or else estimated from the residuals
   bool accept_misfit = false;  ///< return a fit that is no solution too, with its misfits
   bool leave_out = true;       ///< identify once more without each placement
+  /// An arm near the solution, such as the one that a narrower model led to; tried before the initial alignments.
+  std::optional<Arm> start = {};
   int max_iterations = 100;
   int threads = 0;  ///< for leaving out; 0 takes all. The result does not depend on it
   IdentifyProgressCallback progress = {};

@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "acquisition/recording/tip_centres.h"
 #include "identification/evaluation/judgement.h"
+#include "identification/models/tried_model.h"
 
 namespace artcal {
 namespace {
@@ -30,9 +32,9 @@ struct Unseen {
   [[nodiscard]] double mean_square() const { return squares / count; }
 };
 
-std::vector<Unseen> unseen_of(const Identification& result) {
+std::vector<Unseen> unseen_of(const std::vector<LeftOut>& left_out) {
   std::vector<Unseen> all;
-  for (const LeftOut& left : result.left_out) {
+  for (const LeftOut& left : left_out) {
     Unseen& unseen = all.emplace_back();
     unseen.count = left.deviation.readings + static_cast<double>(left.lengths.size());
     unseen.squares = left.deviation.readings * left.deviation.rms * left.deviation.rms;
@@ -43,8 +45,8 @@ std::vector<Unseen> unseen_of(const Identification& result) {
   return all;
 }
 
-std::string first_refusal(const Identification& result) {
-  for (const LeftOut& left : result.left_out) {
+std::string first_refusal(const std::vector<LeftOut>& left_out) {
+  for (const LeftOut& left : left_out) {
     if (!left.refusal.empty()) {
       return fmt::format("without the placement {}: {}", left.deviation.name.placement, left.refusal);
     }
@@ -81,12 +83,12 @@ void compare(const std::vector<Unseen>& before, const std::vector<Unseen>& after
   trial.improvement_noise = std::sqrt(count / (count - 1.0) * square) / whole;
 }
 
-ModelTrial described(const Identification& result, int step) {
+ModelTrial described(const TriedModel& tried, const Model& model, int step) {
   ModelTrial trial;
   trial.step = step;
-  trial.model = result.model;
-  trial.parameters = static_cast<int>(result.free.size());
-  trial.left_out_rms = rms_of(unseen_of(result));
+  trial.model = model;
+  trial.parameters = static_cast<int>(tried.estimate.preparation.free.size());
+  trial.left_out_rms = rms_of(unseen_of(tried.left_out));
   return trial;
 }
 
@@ -110,7 +112,7 @@ std::vector<ParameterGroup> groups_beside(const Model& model) {
   return groups;
 }
 
-// What is told of one identification among many says which.
+// Progress within one model among many names the model.
 IdentifyProgressCallback named(const IdentifyProgressCallback& progress, const Model& model) {
   if (!progress) {
     return {};
@@ -120,6 +122,118 @@ IdentifyProgressCallback named(const IdentifyProgressCallback& progress, const M
   };
 }
 
+// What a narrow model leaves of the residuals, a wider one may explain: misfits are judged at the end.
+IdentifyOptions options_for(const Model& model, const IdentifyOptions& options) {
+  IdentifyOptions own = options;
+  own.model = model;
+  own.accept_misfit = true;
+  own.progress = named(options.progress, model);
+  return own;
+}
+
+/// The search on its way: the best model so far and the groups that may still join it.
+class ModelSearch {
+ public:
+  ModelSearch(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options)
+      : recording_(recording), constraints_(constraints), options_(options), model_(options.model) {}
+
+  Expected<void> begin() {
+    auto tried = try_model(recording_, constraints_, options_for(model_, options_));
+    if (!tried) {
+      return tl::unexpected(tried.error());
+    }
+    if (tried->left_out.size() < min_placements) {
+      return wrong_usage(
+          fmt::format("--model auto judges groups by placements that are left out, and needs at least {}; "
+                      "this recording has {}",
+                      min_placements, tried->estimate.after.placements.size()));
+    }
+    if (const std::string why = first_refusal(tried->left_out); !why.empty()) {
+      return no_solution("--model auto cannot judge the model to begin with: " + why);
+    }
+    best_ = std::move(*tried);
+    trials_.push_back(described(*best_, model_, 0));
+    candidates_ = groups_beside(model_);
+    return {};
+  }
+
+  // Tries each group beside the best model and takes the best of those that are worth it; false where none is.
+  bool step() {
+    const int number = ++steps_;
+    std::vector<std::pair<std::size_t, TriedModel>> judged;  // with the places of their trials
+    for (auto group = candidates_.begin(); group != candidates_.end();) {
+      Model wider = model_;
+      wider.push_back(*group);
+      auto tried = tried_with(wider);
+      const std::string why = tried ? first_refusal(tried->left_out) : tried.error().text();
+      if (!why.empty()) {
+        // What cannot be determined now cannot be determined beside more parameters either.
+        trials_.push_back(refused(number, wider, why));
+        group = candidates_.erase(group);
+        continue;
+      }
+      trials_.push_back(described(*tried, wider, number));
+      compare(unseen_of(best_->left_out), unseen_of(tried->left_out), trials_.back());
+      judged.emplace_back(trials_.size() - 1, std::move(*tried));
+      ++group;
+    }
+    std::pair<std::size_t, TriedModel>* taken = nullptr;
+    for (auto& candidate : judged) {
+      ModelTrial& trial = trials_[candidate.first];
+      trial.limit = limit_of(best_->left_out.size(), judged.size());
+      const bool worth = trial.improvement > trial.limit * trial.improvement_noise;
+      trial.verdict = worth ? ModelTrial::Verdict::Worth : ModelTrial::Verdict::NotWorth;
+      if (worth && (taken == nullptr || trial.left_out_rms < trials_[taken->first].left_out_rms)) {
+        taken = &candidate;
+      }
+    }
+    if (taken == nullptr) {
+      return false;
+    }
+    trials_[taken->first].verdict = ModelTrial::Verdict::Taken;
+    model_ = trials_[taken->first].model;
+    best_ = std::move(taken->second);
+    std::erase(candidates_, model_.back());
+    return !candidates_.empty();
+  }
+
+  // The whole identification with the model found.
+  Expected<Identification> result() && {
+    IdentifyOptions own = options_for(model_, options_);
+    own.start = start_for(model_);
+    own.accept_misfit = options_.accept_misfit;
+    auto found = identify(recording_, constraints_, own);
+    if (found) {
+      found->left_out_chose_the_model = model_.size() > options_.model.size();
+      found->trials = std::move(trials_);
+    }
+    return found;
+  }
+
+ private:
+  // From the best arm so far, which a wider model contains; with Hayati's angle d and theta mean something else.
+  [[nodiscard]] std::optional<Arm> start_for(const Model& model) const {
+    const bool same_parameters = model.empty() || model.back() != ParameterGroup::Hayati;
+    return best_ && best_->estimate.misfits.empty() && same_parameters ? std::optional(best_->estimate.fit.arm)
+                                                                       : options_.start;
+  }
+
+  [[nodiscard]] Expected<TriedModel> tried_with(const Model& model) const {
+    IdentifyOptions own = options_for(model, options_);
+    own.start = start_for(model);
+    return try_model(recording_, constraints_, own);
+  }
+
+  const Recording& recording_;
+  const Constraints& constraints_;
+  const IdentifyOptions& options_;
+  Model model_;
+  std::optional<TriedModel> best_;
+  std::vector<ParameterGroup> candidates_;
+  std::vector<ModelTrial> trials_;
+  int steps_ = 0;
+};
+
 }  // namespace
 
 Expected<Identification> identify_automatically(const Recording& recording, const Constraints& constraints,
@@ -127,72 +241,16 @@ Expected<Identification> identify_automatically(const Recording& recording, cons
   if (!options.leave_out) {
     return wrong_usage("--model auto judges groups by placements that are left out, and these are not to be");
   }
-  // What a narrow model leaves of the residuals, a wider one may explain: judged is the last.
-  IdentifyOptions judged_later = options;
-  judged_later.accept_misfit = true;
-  auto best = identify(recording, constraints, judged_later);
-  if (!best) {
-    return best;
+  if (auto there = require_joints(recording); !there) {
+    return tl::unexpected(there.error());
   }
-  if (best->left_out.size() < min_placements) {
-    return wrong_usage(
-        fmt::format("--model auto judges groups by placements that are left out, and needs at least {}; "
-                    "this recording has {}",
-                    min_placements, best->after.placements.size()));
+  ModelSearch search(recording, constraints, options);
+  if (auto begun = search.begin(); !begun) {
+    return tl::unexpected(begun.error());
   }
-  if (const std::string why = first_refusal(*best); !why.empty()) {
-    return no_solution("--model auto cannot judge the model to begin with: " + why);
+  while (search.step()) {
   }
-  std::vector<ModelTrial> trials{described(*best, 0)};
-  std::vector<ParameterGroup> candidates = groups_beside(options.model);
-  for (int step = 1; !candidates.empty(); ++step) {
-    const auto before = unseen_of(*best);
-    std::vector<Identification> results;
-    std::vector<std::size_t> judged;  // their trials
-    for (auto group = candidates.begin(); group != candidates.end();) {
-      IdentifyOptions wider = judged_later;
-      wider.model = best->model;
-      wider.model.push_back(*group);
-      wider.progress = named(options.progress, wider.model);
-      auto result = identify(recording, constraints, wider);
-      const std::string why = result ? first_refusal(*result) : result.error().text();
-      if (!why.empty()) {
-        // What cannot be determined now cannot be determined beside more parameters either.
-        trials.push_back(refused(step, wider.model, why));
-        group = candidates.erase(group);
-        continue;
-      }
-      judged.push_back(trials.size());
-      trials.push_back(described(*result, step));
-      compare(before, unseen_of(*result), trials.back());
-      results.push_back(std::move(*result));
-      ++group;
-    }
-    std::optional<Identification> better;
-    std::size_t taken = 0;
-    for (std::size_t i = 0; i < judged.size(); ++i) {
-      ModelTrial& trial = trials[judged[i]];
-      trial.limit = limit_of(before.size(), judged.size());
-      const bool worth = trial.improvement > trial.limit * trial.improvement_noise;
-      trial.verdict = worth ? ModelTrial::Verdict::Worth : ModelTrial::Verdict::NotWorth;
-      if (worth && (!better || trial.left_out_rms < trials[taken].left_out_rms)) {
-        better = std::move(results[i]);
-        taken = judged[i];
-      }
-    }
-    if (!better) {
-      break;
-    }
-    trials[taken].verdict = ModelTrial::Verdict::Taken;
-    best = std::move(*better);
-    std::erase(candidates, best->model.back());
-  }
-  if (!best->misfits.empty() && !options.accept_misfit) {
-    return tl::unexpected(misfit_error(best->misfits, best->attempts));
-  }
-  best->left_out_chose_the_model = best->model.size() > options.model.size();
-  best->trials = std::move(trials);
-  return best;
+  return std::move(search).result();
 }
 
 }  // namespace artcal

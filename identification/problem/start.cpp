@@ -45,8 +45,7 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
   if (sigma.minCoeff() <= shown_well * sigma.maxCoeff()) {
     return nominal;
   }
-  const Solution solution =
-      solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns), {}, &at_nominal);
+  const Solution solution = solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
   return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
 }
 
