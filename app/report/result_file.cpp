@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "app/output/json_file.h"
+#include "app/results/schema_version.h"
 #include "artefacts/verification/decision/specification.h"
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
@@ -73,8 +74,11 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
             in_quotes(json["kind"].get<std::string>())),
         path);
   }
-  if (json["schema_version"] != 1) {
-    return bad_input("this result has a schema_version that this version of artcal does not read, expected 1", path);
+  if (!bring_up_to_date(json)) {
+    return bad_input(fmt::format("this result has a schema_version that this version of artcal does not read, expected "
+                                 "1 or {}",
+                                 schema_version),
+                     path);
   }
   if (const std::string unknown = *kind == ResultKind::Verification ? unknown_quantity(json) : ""; !unknown.empty()) {
     return bad_input(

@@ -96,7 +96,7 @@ double round_below(double value) {
 }
 
 // Such that errors are seen beside a scene of metres.
-double enlargement_for(const std::vector<double>& lengths, double scene) {
+double magnification_for(const std::vector<double>& lengths, double scene) {
   double squares = 0.0, longest = 0.0;
   for (const double length : lengths) {
     squares += length * length;
@@ -118,14 +118,14 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
     length.push_back(std::hypot(readings.offset[0][i], readings.offset[1][i], readings.offset[2][i]));
   }
   const double longest = length.empty() ? 0.0 : *std::max_element(length.begin(), length.end());
-  const double scale_factor = enlargement_for(length, std::max(size_of(readings.tip), 1.0));
+  const double magnification = magnification_for(length, std::max(size_of(readings.tip), 1.0));
   Points vectors;
   const auto kept = thinned(order, length, max_vectors);
   for (const int i : kept) {
     Point from{}, to{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       to[axis] = readings.tip[axis][i] - readings.offset[axis][i];
-      from[axis] = to[axis] + scale_factor * readings.offset[axis][i];
+      from[axis] = to[axis] + magnification * readings.offset[axis][i];
     }
     vectors.add(to);
     vectors.add(from);
@@ -137,13 +137,13 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
       fmt::format("{}, {}. Errors are lines from where the tip should have been towards where it was, {:g} times as "
                   "long as they are; the longest is {} mm. The arm stands in the posture of one reading. Drag to "
                   "turn.{}",
-                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), scale_factor,
+                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), magnification,
                   mm(longest), kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
       {{"kind", "scene"},
        {"arm", arm_of(identification)},
        {"artefacts", artefacts_of(identification.at("after").at("features"))},
        {"vectors", vectors.json()},
-       {"enlargement", scale_factor}},
+       {"magnification", magnification}},
       true};
 }
 

@@ -1,12 +1,13 @@
 #include "app/results/result_head.h"
 
+#include "app/results/schema_version.h"
 #include "app/version.h"
 
 namespace artcal {
 
 nlohmann::ordered_json result_head(const char* kind) {
   nlohmann::ordered_json json;
-  json["schema_version"] = 1;
+  json["schema_version"] = schema_version;
   json["kind"] = kind;
   json["program"] = {{"name", "artcal"}, {"version", program_version}};
   return json;

@@ -23,9 +23,9 @@ const char* result_name(Conclusion conclusion) {
 
 const char* result_name(ParameterState state) {
   switch (state) {
-    case ParameterState::Fixed: return "held";
+    case ParameterState::Fixed: return "fixed";
     case ParameterState::Weak: return "weak";
-    case ParameterState::Unidentifiable: return "lost";
+    case ParameterState::Unidentifiable: return "unidentifiable";
     case ParameterState::Identified: break;
   }
   return "identified";

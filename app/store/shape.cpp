@@ -39,7 +39,7 @@ std::array<TableShape, store_table_count> make_shapes() {
         {"noise_is_given", whole},
         {"chi_squared", real},
         {"degrees_of_freedom", whole},
-        {"enlargement", real},
+        {"scale_factor", real},
         {"rms_before_mm", real},
         {"maximum_before_mm", real},
         {"rms_after_mm", real},

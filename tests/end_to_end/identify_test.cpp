@@ -246,7 +246,7 @@ TEST_F(Identify, OptionsReachTheResult) {
   EXPECT_THAT(json["left_out"], IsEmpty());
   EXPECT_EQ(json["noise"]["mm"], 0.2);
   for (const Json& parameter : json["parameters"]) {
-    EXPECT_TRUE((parameter["name"] != "lx" && parameter["name"] != "ly") || parameter["state"] == "held");
+    EXPECT_TRUE((parameter["name"] != "lx" && parameter["name"] != "ly") || parameter["state"] == "fixed");
   }
 }
 

@@ -79,7 +79,7 @@ TEST_F(Report, HasTheNumbersOfTheResult) {
       shows(parameter["identified"], ">{:.5f}<");
     }
   }
-  for (const Json& unidentifiable : result["coupling"]["lost"]) {
+  for (const Json& unidentifiable : result["coupling"]["unidentifiable"]) {
     EXPECT_THAT(page, HasSubstr(unidentifiable["text"].get<std::string>()));
   }
   for (const Json& input : result["inputs"]) {
@@ -258,7 +258,7 @@ TEST_F(Report, RefusesWhatIsNoResult) {
   EXPECT_THAT(refusal("<html>"), HasSubstr("result.json: this is no result of artcal"));
   EXPECT_THAT(refusal("[1, 2"), HasSubstr("no result of artcal"));
   EXPECT_THAT(refusal("{\"kind\": \"fit\", \"schema_version\": 1}"), HasSubstr("a result of kind \"fit\""));
-  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 2}"), HasSubstr("schema_version"));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 3}"), HasSubstr("schema_version"));
   EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1}"), HasSubstr("lacks"));
   EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1, \"arm\": 7}"), HasSubstr("lacks"));
 }

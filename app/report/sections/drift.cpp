@@ -113,10 +113,10 @@ GaugedParameters gauged(const Json& result) {
       gauged.covariance(i, j) = matrix.at(static_cast<std::size_t>(i)).at(static_cast<std::size_t>(j));
     }
   }
-  const Json& unidentifiable = result.at("coupling").at("lost");
+  const Json& unidentifiable = result.at("coupling").at("unidentifiable");
   gauged.unidentifiable = Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(unidentifiable.size()));
   for (std::size_t k = 0; k < unidentifiable.size(); ++k) {
-    for (const auto& [name, coefficient] : unidentifiable[k].at("unseen_motion").items()) {
+    for (const auto& [name, coefficient] : unidentifiable[k].at("motion").items()) {
       gauged.unidentifiable(places.at(name), static_cast<Eigen::Index>(k)) = coefficient;
     }
   }

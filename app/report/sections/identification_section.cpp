@@ -126,9 +126,9 @@ void write_parameters(const Json& result, Sheet& sheet) {
     const double change = parameter.at("identified").get<double>() - parameter.at("nominal").get<double>();
     table.add({parameter.at("name"), unit.name, number("nominal"), number("identified"),
                identified ? fmt::format("{:+.{}f}", change / unit.size, unit.decimals) : "–",
-               identified        ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit.size)
-               : state == "lost" ? "not identifiable"
-                                 : "fixed"});
+               identified                  ? two_digits(parameter.at("standard_uncertainty").get<double>() / unit.size)
+               : state == "unidentifiable" ? "not identifiable"
+                                           : "fixed"});
   }
   sheet.table(table);
 }
@@ -136,9 +136,9 @@ void write_parameters(const Json& result, Sheet& sheet) {
 void write_unidentifiable(const Json& coupling, Sheet& sheet) {
   sheet.part("Not identifiable from these readings");
   std::vector<std::string> unidentifiable, weak;
-  for (const Json& direction : coupling.at("lost")) {
+  for (const Json& direction : coupling.at("unidentifiable")) {
     unidentifiable.push_back(fmt::format("{}; {} is fixed", direction.at("text").get<std::string>(),
-                                         direction.at("held").get<std::string>()));
+                                         direction.at("fixed").get<std::string>()));
   }
   for (const Json& direction : coupling.at("weak")) {
     weak.push_back(direction.at("text"));
@@ -185,9 +185,9 @@ void write_noise(const Json& result, Sheet& sheet) {
                                  noise.at("chi_squared").get<double>(), noise.at("degrees_of_freedom").get<long>(),
                                  range.at(0).get<double>(), range.at(1).get<double>())}});
   write_cross_validation(result, sheet);
-  if (noise.at("enlargement").get<double>() > 1.0) {
+  if (noise.at("scale_factor").get<double>() > 1.0) {
     sheet.note(fmt::format("The readings scatter more than was stated: all uncertainties are multiplied by {:.3g}.",
-                           noise.at("enlargement").get<double>()));
+                           noise.at("scale_factor").get<double>()));
   }
 }
 

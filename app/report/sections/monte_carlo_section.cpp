@@ -141,7 +141,7 @@ void write_differences(const Json& quantities, Sheet& sheet) {
 void write_monte_carlo_verdict(const Json& result, Sheet& sheet) {
   const Json& trials = result.at("trials");
   const Json& quantities = result.at("quantities");
-  const std::size_t open = count_where(quantities, "stands", false);
+  const std::size_t open = count_where(quantities, "stable", false);
   const std::size_t differing = count_where(quantities, "differs_from_first_order", true);
   const bool complete = trials.at("complete").get<bool>();
   const bool good = complete && open == 0;

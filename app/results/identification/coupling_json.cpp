@@ -20,7 +20,7 @@ namespace {
 
 const char* name_of(ScaleState state) {
   switch (state) {
-    case ScaleState::Unidentifiable: return "lost";
+    case ScaleState::Unidentifiable: return "unidentifiable";
     case ScaleState::Weak: return "weak";
     case ScaleState::Determined: break;
   }
@@ -54,11 +54,11 @@ Json coupling_json(const Coupling& coupling) {
   json["angle_scale_mm"] = coupling.angle_scale;
   json["singular_values"] = std::vector<double>(coupling.singular_values.begin(), coupling.singular_values.end());
   json["scale"] = name_of(coupling.scale);
-  json["lost"] = Json::array();
+  json["unidentifiable"] = Json::array();
   for (const ParameterMotion& motion : coupling.unidentifiable) {
-    json["lost"].push_back({{"held", coupling.parameters[motion.leading].name},
-                            {"text", unidentifiable_in_words(coupling, motion)},
-                            {"unseen_motion", motion_json(coupling, motion)}});
+    json["unidentifiable"].push_back({{"fixed", coupling.parameters[motion.leading].name},
+                                      {"text", unidentifiable_in_words(coupling, motion)},
+                                      {"motion", motion_json(coupling, motion)}});
   }
   json["weak"] = Json::array();
   for (const WeakDirection& weak : coupling.weak) {

@@ -14,7 +14,7 @@ const char* name_of(Effect effect) {
     case Effect::Gain: return "gain";
     case Effect::Gravity: return "gravity";
     case Effect::Drift: return "drift";
-    case Effect::TemperatureOffset: return "warmth";
+    case Effect::TemperatureOffset: return "temperature_offset";
     case Effect::Expansion: break;
   }
   return "expansion";

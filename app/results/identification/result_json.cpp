@@ -103,7 +103,7 @@ Json noise_json(const IdentifyOptions& options, const Identification& result) {
   json["chi_squared"] = result.chi_squared;
   json["degrees_of_freedom"] = result.degrees_of_freedom;
   json["chi_squared_95"] = {result.chi_squared_low, result.chi_squared_high};
-  json["enlargement"] = result.scale_factor;
+  json["scale_factor"] = result.scale_factor;
   return json;
 }
 

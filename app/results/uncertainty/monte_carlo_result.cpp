@@ -51,7 +51,7 @@ Json quantity_json(const Measurand& quantity, const MonteCarloSummary& result) {
           {"interval_95", interval_json(result.symmetric)},
           {"shortest_95", interval_json(result.shortest)},
           {"tolerance", result.tolerance},
-          {"stands", result.stable},
+          {"stable", result.stable},
           {"differs_from_first_order", result.differs_from_linear}};
 }
 
@@ -178,7 +178,7 @@ Json to_json(const MonteCarloResult& result) {
                      {"digits", result.wanted.digits}};
   json["model"] = model_text(result.identification.model);
   json["noise_mm"] = result.identification.noise;
-  json["enlargement"] = result.identification.scale_factor;
+  json["scale_factor"] = result.identification.scale_factor;
   json["trials"] = {{"first", result.count.first},
                     {"made", result.count.end - result.count.first},
                     {"wanted", result.wanted.number ? Json(*result.wanted.number) : Json(nullptr)},

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "app/output/json_file.h"
+#include "app/results/schema_version.h"
 #include "artefacts/verification/decision/specification.h"
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
@@ -40,13 +41,13 @@ Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, co
     return tl::unexpected(file.error());
   }
   inputs.push_back({path, file->sha256});
-  const auto parsed = parse_json(file->text, "result of artcal verify (--json)", path);
+  auto parsed = parse_json(file->text, "result of artcal verify (--json)", path);
   if (!parsed) {
     return tl::unexpected(parsed.error());
   }
   try {
-    const Json& json = *parsed;
-    if (json.at("kind") != "verification" || json.at("schema_version") != 1 || json.at("standard") != standard) {
+    Json& json = *parsed;
+    if (json.at("kind") != "verification" || !bring_up_to_date(json) || json.at("standard") != standard) {
       return bad_input("this is no result of artcal verify by " + standard + " that this version reads", path);
     }
     std::vector<TestValue> values;

@@ -16,7 +16,7 @@ Calibration calibration(double length, double angle, double rho = 0.0, double fi
   Calibration made;
   made.parameters = {{"a1", "mm", "identified", length, 0.03},
                      {"theta2", "rad", "identified", angle, 4e-5},
-                     {"a6", "mm", "held", fixed, 0.0}};
+                     {"a6", "mm", "fixed", fixed, 0.0}};
   made.covariance.resize(2, 2);
   made.covariance << 0.03 * 0.03, rho * 0.03 * 4e-5, rho * 0.03 * 4e-5, 4e-5 * 4e-5;
   made.entry.certificates = {"bar 1", "bar 2"};
@@ -66,7 +66,7 @@ TEST(CalibrationStep, APartnerFixedElsewhereIsMovedBack) {
   EXPECT_TRUE(drifted.changes[1].significant);
   // The other of the pair was fixed: a6 = 0.05 mm takes over the angle with its u.
   Calibration other = calibration(10.0, 0.0, 0.0, 0.05);
-  other.parameters[1] = {"theta2", "rad", "held", 0.0};
+  other.parameters[1] = {"theta2", "rad", "fixed", 0.0};
   other.parameters[2] = {"a6", "mm", "identified", 0.05, 4e-3};
   other.covariance(1, 1) = 16e-6;
   const auto swapped = step_between(then, with_partner(other));

@@ -110,7 +110,7 @@ Json whole_monte_carlo() {
                 {"u_first_order", first_order},
                 {"u", u},
                 {"interval_95", {99.9, 100.3}},
-                {"stands", true},
+                {"stable", true},
                 {"differs_from_first_order", differs}};
   };
   whole["quantities"] = {

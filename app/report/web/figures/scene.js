@@ -29,7 +29,7 @@ KINDS.scene = (figure) => ({
     armTrace(figure.arm),
     ...artefactTraces(figure.artefacts, {size: 2.5, color: COLOURS.blue}),
     {
-      type: 'scatter3d', mode: 'lines', ...figure.vectors, name: `errors × ${figure.enlargement}`,
+      type: 'scatter3d', mode: 'lines', ...figure.vectors, name: `errors × ${figure.magnification}`,
       line: {width: 3, color: COLOURS.red}, hoverinfo: 'skip', connectgaps: false,
     },
   ],

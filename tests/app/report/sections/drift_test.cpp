@@ -21,7 +21,7 @@ Json identification(const std::string& date, const std::string& hash, double val
   Json json{{"kind", "identification"},
             {"date", date},
             {"inputs", {{{"path", "r.toml"}, {"sha256", hash}}}},
-            {"coupling", {{"angle_scale_mm", 1000.0}, {"lost", Json::array()}}}};
+            {"coupling", {{"angle_scale_mm", 1000.0}, {"unidentifiable", Json::array()}}}};
   for (int i = 0; i < parameter_count; ++i) {
     const std::string name = "p" + std::to_string(i);
     json["parameters"].push_back(
@@ -102,8 +102,8 @@ TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
 Json with_a6(Json json, double a6) {
   const double l = 183.5;
   json["parameters"].push_back({{"name", "a6"}, {"unit", "mm"}, {"identified", a6}, {"standard_uncertainty", nullptr}});
-  json["coupling"]["lost"].push_back(
-      {{"held", "a6"}, {"text", ""}, {"unseen_motion", {{"a6", 1.0}, {"p1", -1.0 / l}, {"p0", -a6 / l}}}});
+  json["coupling"]["unidentifiable"].push_back(
+      {{"fixed", "a6"}, {"text", ""}, {"motion", {{"a6", 1.0}, {"p1", -1.0 / l}, {"p0", -a6 / l}}}});
   return json;
 }
 
@@ -119,7 +119,7 @@ TEST(Drift, OfParametersWhosePartnersWereFixedElsewhereIsToldInOneGauge) {
   EXPECT_THAT(page, HasSubstr("a6 was fixed at different values"));
   EXPECT_EQ(significant_in(page), 1);
   // Where nothing says that no reading sees the difference, it is not determined.
-  second["coupling"]["lost"].clear();
+  second["coupling"]["unidentifiable"].clear();
   const std::string other = page_of({first, second});
   EXPECT_THAT(other, HasSubstr("a6 was fixed at 0 and then at 5 mm"));
   EXPECT_EQ(significant_in(other), 0);
