@@ -92,6 +92,9 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
 
 Expected<Preparation> prepare_from(const Arm& start, const Recording& recording, const Constraints& constraints,
                                    const IdentifyOptions& options) {
+  if (auto sensible = check_model(recording, options); !sensible) {
+    return tl::unexpected(sensible.error());
+  }
   const Arm nominal = arm_for(options.model, recording.arm);
   const auto selection = select_parameters(nominal, options.hold, options.free, options.model);
   if (!selection) {

@@ -201,7 +201,7 @@ TEST(Identify, ContradictoryRequestsAreWrongUsage) {
        std::vector<std::tuple<std::vector<std::string>, std::vector<std::string>, std::string>>{
            {{}, {"a6", "theta6"}, "never identified together"},
            {{}, {"d6", "alpha6"}, "never identified together"},
-           {{"a1"}, {"a1"}, "both held and free"},
+           {{"a1"}, {"a1"}, "both fixed and free"},
            {{"a7"}, {}, "not a parameter of this arm"},
            {{}, {"tip"}, "not a parameter of this arm"}}) {
     const auto selection = select_parameters(arm, hold, free);

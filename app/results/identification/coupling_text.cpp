@@ -36,10 +36,11 @@ std::string to_text(const Recording& recording, const Coupling& coupling) {
   text += fmt::format("rank {} of {}: {} are identifiable, {} are not\n", coupling.rank, coupling.parameters.size(),
                       plural(static_cast<std::size_t>(coupling.rank), "combination"),
                       coupling.parameters.size() - static_cast<std::size_t>(coupling.rank));
-  text += coupling.scale == ScaleState::Unidentifiable
-              ? "scale: LOST. All lengths can grow together unseen; measure a calibrated length as well\n"
-          : coupling.scale == ScaleState::Weak ? "scale: weakly identifiable; a calibrated length would help\n"
-                                               : "scale: identifiable\n";
+  text += coupling.scale == ScaleState::Unidentifiable ? "scale: not identifiable. All lengths can change in "
+                                                         "proportion without any effect on the readings; measure a "
+                                                         "calibrated length as well\n"
+          : coupling.scale == ScaleState::Weak         ? "scale: weakly identifiable; a calibrated length would help\n"
+                                                       : "scale: identifiable\n";
   text += "\n" + (recording.warnings.empty() ? "" : warning_lines(recording.warnings) + "\n") + cannot_text(coupling);
   if (!coupling.unidentifiable.empty()) {
     text += "Unidentifiable directions (mm and rad):\n";

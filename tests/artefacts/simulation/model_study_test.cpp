@@ -137,7 +137,7 @@ TEST_P(Bending, IsFlagged) {
   ASSERT_FALSE(study.findings.empty());
   EXPECT_EQ(study.findings.front().effect, Effect::Gravity);
   EXPECT_EQ(study.findings.front().joint, 1);
-  EXPECT_THAT(in_words(study.findings.front()), HasSubstr("joint 2: gives way"));
+  EXPECT_THAT(in_words(study.findings.front()), HasSubstr("joint 2: bends under gravity"));
 }
 
 INSTANTIATE_TEST_SUITE_P(OnTheFloorOnAWallAndOnTheCeiling, Bending,

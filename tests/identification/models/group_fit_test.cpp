@@ -52,7 +52,7 @@ TEST(GroupFit, AMemberThatIsNotIdentifiableIsFixedAndTheOthersComeBack) {
   ASSERT_EQ(result.fixed_members.size(), 1u);
   EXPECT_EQ(result.fixed_members.front().name, "gain3");
   EXPECT_EQ(result.fixed_members.front().reason, Reason::NotIdentifiable);
-  EXPECT_THAT(result.fixed_members.front().why, HasSubstr("gain3 alone cannot"));
+  EXPECT_THAT(result.fixed_members.front().why, HasSubstr("gain3 alone is not"));
   int gains = 0;
   for (const IdentifiedParameter& p : result.parameters) {
     if (p.parameter.kind == ParameterKind::Gain && p.state == ParameterState::Identified) {
