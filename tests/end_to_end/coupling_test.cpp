@@ -46,16 +46,17 @@ TEST_F(CouplingCommand, AnswersForRicherModels) {
 // Ranks of Table 1's arm: 25 parameters; what each kind of reading cannot see of them.
 TEST_F(CouplingCommand, KnowsEveryKindOfReading) {
   take("gao2013");
-  const std::vector<std::tuple<std::string, int, std::string>> kinds{{"base", 23, "scale: identifiable"},
-                                                                     {"frame", 21, "scale: identifiable"},
-                                                                     {"point", 20, "scale: not identifiable"},
-                                                                     {"distance", 21, "scale: identifiable"},
-                                                                     {"sphere", 21, "scale: weakly identifiable"},
-                                                                     {"length", 21, "scale: identifiable"},
-                                                                     {"plate", 21, "scale: identifiable"},
-                                                                     {"plane", 20, "scale: not identifiable"},
-                                                                     {"sphere-unknown-radius", 20, "scale: not identifiable"},
-                                                                     {"plane-perpendicular", 18, "scale: not identifiable"}};
+  const std::vector<std::tuple<std::string, int, std::string>> kinds{
+      {"base", 23, "scale: identifiable"},
+      {"frame", 21, "scale: identifiable"},
+      {"point", 20, "scale: not identifiable"},
+      {"distance", 21, "scale: identifiable"},
+      {"sphere", 21, "scale: weakly identifiable"},
+      {"length", 21, "scale: identifiable"},
+      {"plate", 21, "scale: identifiable"},
+      {"plane", 20, "scale: not identifiable"},
+      {"sphere-unknown-radius", 20, "scale: not identifiable"},
+      {"plane-perpendicular", 18, "scale: not identifiable"}};
   for (const auto& [kind, rank, scale] : kinds) {
     const std::vector<std::string> command{"coupling", "gao2013/table1.toml", "--kind", kind};
     const Ended told = run(command);

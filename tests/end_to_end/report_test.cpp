@@ -133,7 +133,7 @@ TEST_F(Report, OfAVerificationShowsVerdictAndValues) {
   const std::string page = text_of("report.html");
   EXPECT_THAT(page, HasSubstr("Non-conformity shown"));
   EXPECT_THAT(page, HasSubstr("600 values, 566 conform, 4 do not, 30 prove nothing either way."));
-  EXPECT_EQ(count(page, "stands out</td>"), 2u);  // the ball that is 10 um off, in both placements
+  EXPECT_EQ(count(page, "outlier</td>"), 2u);  // the ball that is 10 um off, in both placements
   for (const Json& value : Json::parse(text_of("result.json"))["values"]) {
     if (value["verdict"] == "does_not_conform") {
       EXPECT_THAT(page, HasSubstr(fmt::format(">{:+.1f}<", 1000.0 * value["value_mm"].get<double>())));

@@ -36,7 +36,7 @@ endfunction()
 
 expect_package(libartcal-dev
   CONTROL "Package: libartcal-dev" "Maintainer: artcal maintainers" "Depends: .*libeigen3-dev.*libceres-dev"
-  FILES "/usr/include/artcal/acquisition/sweep\\.h" "/usr/include/artcal/core/error\\.h"
+  FILES "/usr/include/artcal/acquisition/arm/forward_kinematics\\.h" "/usr/include/artcal/core/error\\.h"
         "/usr/lib/.*libartcal_acquisition\\.a" "/usr/lib/.*/cmake/artcal/artcalConfig\\.cmake"
         "/usr/share/doc/libartcal-dev/copyright")
 if(HAS_PROGRAM)
