@@ -94,9 +94,10 @@ TEST_F(ResultSchema, OfIdentifications) {
   check({"identify", "two-socket-bar/recording.toml", "--json", "-"}, "identification");
   check({"identify", "two-socket-bar/recording.toml", "--json", "-", "--hold", "lx", "--no-leave-out"},
         "identification");
-  for (const char* list : {"inputs", "parameters", "left_out", "left_out[].lengths", "outliers", "coupling.lost",
-                           "coupling.weak", "covariance.matrix", "options.hold", "after.lengths", "arm_shape.path_mm",
-                           "residuals.reading", "residuals.joints_rad", "residuals.offset_mm"}) {
+  for (const char* list :
+       {"inputs", "parameters", "left_out", "left_out[].lengths", "outliers", "coupling.unidentifiable",
+        "coupling.weak", "covariance.matrix", "options.hold", "after.lengths", "arm_shape.path_mm", "residuals.reading",
+        "residuals.joints_rad", "residuals.offset_mm"}) {
     EXPECT_TRUE(seen_.contains(std::string("identification.") + list)) << list << " was always empty";
   }
   check({"identify", "ball-bar/recording.toml", "--json", "-"}, "identification");

@@ -110,7 +110,9 @@ void make_store_of_schema_1(const std::filesystem::path& store) {
       "INSERT INTO recordings VALUES ('r', 'artcal 0.0.1', '', 'old', '2020-01-01', 'old arm', 1, 0, NULL);"
       "INSERT INTO files VALUES ('/old', 'r', 0, NULL);"
       "INSERT INTO identifications VALUES ('r', 1, 0.01, 0, 5, 5, 1, 1, 2, 0.01, 0.02, NULL, 0, '[[1]]');"
-      "INSERT INTO parameters VALUES ('r', 0, 'a1', 'mm', 'identified', 1, 1.5, 1);";
+      "INSERT INTO parameters VALUES ('r', 0, 'a1', 'mm', 'identified', 1, 1.5, 1);"
+      "INSERT INTO parameters VALUES ('r', 1, 'a6', 'mm', 'held', 5, 5, NULL);"
+      "INSERT INTO parameters VALUES ('r', 2, 'd1', 'mm', 'lost', 9, 9, NULL);";
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(store.c_str(), &database), SQLITE_OK);
   EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
@@ -121,9 +123,17 @@ TEST_F(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsRows) {
   file_away_quick_ones(1);
   make_store_of_schema_1(file("s.sqlite"));
   ASSERT_EQ(batch({"--store", "s.sqlite", "-q"}).exit_code, 0);
-  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM artcal_migrations"), 3);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM artcal_migrations"), 4);
   EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM parameters WHERE recording = 'r' AND identified = 1.5"), 1);
   EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM identifications WHERE rms_before_mm = 1"), 1);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"),
+                        "SELECT * FROM parameters WHERE recording = 'r' AND name = 'a6' AND state = 'fixed'"),
+            1);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"),
+                        "SELECT * FROM parameters WHERE recording = 'r' AND name = 'd1' AND state = 'unidentifiable'"),
+            1);
+  EXPECT_EQ(sqlite_rows(file("s.sqlite"), "SELECT * FROM identifications WHERE recording = 'r' AND scale_factor = 1"),
+            1);
   EXPECT_EQ(sqlite_rows(file("s.sqlite"), "PRAGMA foreign_key_check"), 0);
   EXPECT_GT(sqlite_rows(file("s.sqlite"), "SELECT * FROM parameters WHERE coverage_factor >= 2"), 0);
   const Ended history = run({"history", "old arm", "--store", "s.sqlite"});
