@@ -180,8 +180,11 @@ void improve(Estimate& estimate, const Recording& recording, const Constraints& 
 Expected<Estimate> search_solution(const Recording& recording, const Constraints& constraints,
                                    const IdentifyOptions& options) {
   if (options.start) {
-    auto estimate = estimate_of(prepare_from(arm_for(options.model, *options.start), recording, constraints, options),
-                                Alignment::None, recording, constraints, options);
+    const auto preparation = prepare_from(arm_for(options.model, *options.start), recording, constraints, options);
+    if (!preparation) {
+      return tl::unexpected(preparation.error());  // what is not identifiable near the solution is so at it
+    }
+    auto estimate = estimate_of(preparation, Alignment::None, recording, constraints, options);
     if (estimate && estimate->misfits.empty()) {
       return estimate;
     }
