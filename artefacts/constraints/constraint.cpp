@@ -50,6 +50,16 @@ Constraints without_features(const Constraints& constraints, const std::vector<b
   return kept;
 }
 
+Constraints with_scaled_turns(Constraints constraints) {
+  for (auto& group : constraints.groups) {
+    if (group.line && group.turn == PoseTurn::Free) {
+      group.turn = PoseTurn::Scaled;
+      group.size += 1;
+    }
+  }
+  return constraints;
+}
+
 Constraints balls_as_points(Constraints constraints) {
   for (auto& feature : constraints.features) {
     if (feature.kind == ConstraintKind::OnBall) {

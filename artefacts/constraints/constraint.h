@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "acquisition/recording/recording.h"
 #include "artefacts/artefact/artefact.h"
+#include "artefacts/constraints/point_line.h"
 #include "core/error.h"
 
 namespace artcal {
@@ -79,16 +81,31 @@ struct DistanceConstraint {
   StatedValue certified = {};  ///< what the certificate says
 };
 
+/// How a pose may turn about the line along which its points lie.
+enum class PoseTurn {
+  Free,    ///< as it may about any other axis: a turning of three unknowns
+  Unseen,  ///< not at all: a turning of two unknowns, about the axes across the line
+  Scaled,  ///< the same, and two unknowns u, v after the shift: the points are displaced across the line not by x, y
+           ///< but by u·x − v·y, v·x + u·y. For a turn by φ these are cos φ, sin φ. The residual is linear in them, so
+           ///< that they are found from any start.
+};
+
 /// Unknowns that hang together and with nothing else but the arm and what is shared: the points of one bar
 /// in one placement, the pose of one plate, or one plane and those that are certified to be parallel to it.
 ///
 /// Where all that was read of a certified artefact in a placement are parallel planes (a step gauge), readings do
 /// not determine its pose, but only the direction of its axis (the first of the planes' normals) and its place along
 /// it. Its planes then share one place (FeatureConstraint::offset), from which each has its certified height.
+///
+/// Where what was read of a certified artefact in a placement lies on a line (balls on a bar, or two balls), no reading
+/// sees how the artefact is turned about that line: its pose has five unknowns. Where it lies nearly on a line, the
+/// turn is one of the six unknowns, but readings see it only by the distances of the points from the line.
 struct UnknownGroup {
-  bool has_pose = false;  ///< the first six unknowns are a pose: turning (rad), then shift (mm)
-  bool has_axis = false;  ///< the first two unknowns are the tilts of the normal that its planes share
-  int size = 0;           ///< number of unknowns
+  bool has_pose = false;            ///< the first unknowns are a pose: turning (rad), then shift (mm)
+  bool has_axis = false;            ///< the first two unknowns are the tilts of the normal that its planes share
+  int size = 0;                     ///< number of unknowns
+  PoseTurn turn = PoseTurn::Free;   ///< of a pose
+  std::optional<PointLine> line{};  ///< along which what is posed lies, or nearly lies
 };
 
 /// Everything a recording's artefacts demand of its readings.
@@ -131,6 +148,9 @@ Expected<Constraints> read_constraints(Recording& recording, const ScanSelection
 
 /// The same without the placements for which `drop[i]` is set, i counting Constraints::features.
 Constraints without_features(const Constraints& constraints, const std::vector<bool>& drop);
+
+/// The same with PoseTurn::Scaled for poses that lie nearly on a line.
+Constraints with_scaled_turns(Constraints constraints);
 
 /// The same with every ball taken for a point: for an arm that misses the balls by more than their radius.
 Constraints balls_as_points(Constraints constraints);

@@ -12,6 +12,11 @@ namespace artcal {
 namespace {
 
 constexpr double steepest_wedge = 0.0872;  // sine of 5 degrees
+// Points nearer to a line than this, mm, are on it: readings of an arm do not show a micrometre, and a turn that they
+// do not show is no unknown.
+constexpr double on_the_line = 1e-3;
+// Points whose distance from a line is less than this share of its length are nearly on it.
+constexpr double nearly_straight = 0.05;
 
 const CertifiedFeature& certified(const FeatureConstraint& feature, const Constraints& constraints) {
   return constraints.artefacts[feature.artefact].features[feature.feature];
@@ -126,7 +131,7 @@ void assign_groups(Constraints& constraints) {
     if (is_new) {
       const bool posed = feature.location == Location::Posed;
       const bool tilted = !posed && feature.kind == ConstraintKind::OnPlane;
-      constraints.groups.push_back({posed, tilted, posed ? 6 : tilted ? 2 : 0});
+      constraints.groups.push_back({posed, tilted, posed ? 6 : tilted ? 2 : 0, PoseTurn::Free, {}});
     }
     feature.group = entry->second;
     auto& group = constraints.groups[feature.group];
@@ -137,6 +142,40 @@ void assign_groups(Constraints& constraints) {
         continue;
       }
       group.size += feature.kind == ConstraintKind::OnPlane ? 1 : 3;
+    }
+  }
+}
+
+// Finds the poses of which only points on a line, or nearly on one, were read, and perhaps planes perpendicular to it.
+// Nothing else hangs on such a pose, which is all that the group has.
+void find_lines(Constraints& constraints) {
+  std::vector<std::vector<const FeatureConstraint*>> posed(constraints.groups.size());
+  for (const auto& feature : constraints.features) {
+    if (feature.location == Location::Posed) {
+      posed[feature.group].push_back(&feature);
+    }
+  }
+  for (std::size_t g = 0; g < posed.size(); ++g) {
+    std::vector<Eigen::Vector3d> points;
+    for (const auto* feature : posed[g]) {
+      if (feature->kind != ConstraintKind::OnPlane) {
+        points.insert(points.end(), feature->known.begin(), feature->known.end());
+      }
+    }
+    if (points.empty()) {
+      continue;
+    }
+    const PointLine line = line_through(points);
+    const bool planes_across = std::all_of(posed[g].begin(), posed[g].end(), [&](const auto* feature) {
+      return feature->kind != ConstraintKind::OnPlane || are_parallel(feature->normal, line.artefact_from_line.col(2));
+    });
+    if (!(line.length > on_the_line) || !(line.straightness < nearly_straight * line.length) || !planes_across) {
+      continue;
+    }
+    constraints.groups[g].line = line;
+    if (line.straightness < on_the_line) {
+      constraints.groups[g].turn = PoseTurn::Unseen;
+      constraints.groups[g].size = 5;
     }
   }
 }
@@ -191,6 +230,7 @@ void assign_shared(Constraints& constraints) {
 void assign_unknowns(Constraints& constraints) {
   find_gauges(constraints);
   assign_groups(constraints);
+  find_lines(constraints);
   assign_shared(constraints);
 }
 

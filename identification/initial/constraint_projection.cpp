@@ -26,6 +26,10 @@ bool needs_moving(const FeatureConstraint& feature, const Constraints& constrain
       (feature.kind == ConstraintKind::Coincide && feature.location == Location::Unknown)) {
     return true;
   }
+  // Beside a turn that is not among the unknowns, a motion of the base would turn the residuals.
+  if (feature.group >= 0 && constraints.groups[feature.group].turn == PoseTurn::Unseen) {
+    return true;
+  }
   return feature.shared_radius >= 0 && constraints.shared[feature.shared_radius].u == 0.0;
 }
 

@@ -3,15 +3,12 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "core/kabsch.h"
 #include "identification/initial/ball_start.h"
 #include "identification/initial/plane_start.h"
+#include "identification/initial/pose_start.h"
 #include "identification/least_squares/problem.h"
-#include "identification/least_squares/residual.h"
 #include "identification/least_squares/rows.h"
 #include "identification/problem/tips.h"
 #include "identification/problem/weights.h"
@@ -26,102 +23,6 @@ std::string called(const FeatureConstraint& feature, const Constraints& constrai
   const FeatureName name = name_of(feature, constraints, recording);
   return fmt::format("feature \"{}\" of artefact \"{}\" in placement \"{}\"", name.feature, name.artefact,
                      name.placement);
-}
-
-// The rigid motion that takes `from` to `onto` with the least squares (Kabsch 1976); nothing for points on a line.
-std::optional<Rigid> align(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& onto) {
-  const Eigen::Vector3d from_mean = from.rowwise().mean();
-  const Eigen::Vector3d onto_mean = onto.rowwise().mean();
-  const Eigen::Matrix3d moment = (onto.colwise() - onto_mean) * (from.colwise() - from_mean).transpose();
-  const Rotation rotation = rotation_of_moment(moment);
-  if (!(rotation.shares[1] > 1e-9 * rotation.shares[0])) {
-    return std::nullopt;
-  }
-  Rigid onto_from{rotation.rotation, {}};
-  onto_from.translation = onto_mean - onto_from.rotation * from_mean;
-  return onto_from;
-}
-
-// Gauss-Newton on the six numbers of a pose, all posed features of the group together. False if they do not tell it.
-bool refine_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared, GroupState& group) {
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> gradient = Eigen::Matrix<double, 6, 1>::Zero();
-    for (const Tips& tips : features) {
-      const FeatureResidual residual(*tips.feature, group.reference, group.values.data(), shared.data());
-      for (int k = 0; k < tips.feature->size(); ++k) {
-        const Residual r = residual.at(k, tips.centres.col(k), tips.radii[k], true);
-        const auto slope = r.by_unknowns.topRows(r.rows);
-        normal += slope.transpose() * slope;
-        gradient += slope.transpose() * r.value.head(r.rows);
-      }
-    }
-    const Eigen::Matrix<double, 6, 1> unit = normal.diagonal().cwiseSqrt().cwiseInverse();
-    const auto scaled = (unit.asDiagonal() * normal * unit.asDiagonal()).eval();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(scaled, Eigen::EigenvaluesOnly);
-    if (!(eigen.eigenvalues()[0] > 1e-12)) {
-      return false;
-    }
-    const Eigen::Matrix<double, 6, 1> step = -normal.ldlt().solve(gradient);
-    group.values.head<6>() += step;
-    if (step.norm() <= 1e-12 * (1.0 + group.values.head<6>().norm())) {
-      break;
-    }
-  }
-  group.reference.rotation *= rotation_of(group.values.head<3>());
-  group.values.head<3>().setZero();
-  return true;
-}
-
-Expected<void> estimate_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared,
-                             const std::string& called, GroupState& group) {
-  std::vector<Eigen::Vector3d> from;
-  std::vector<Eigen::Vector3d> onto;
-  std::vector<Eigen::Vector3d> planes_from;
-  std::vector<Eigen::Vector3d> planes_onto;
-  for (const Tips& tips : features) {
-    const FeatureConstraint& feature = *tips.feature;
-    if (feature.kind == ConstraintKind::Coincide) {
-      from.insert(from.end(), feature.known.begin(), feature.known.end());
-      for (const auto& tip : tips.centres.colwise()) {
-        onto.emplace_back(tip);
-      }
-    } else if (feature.kind == ConstraintKind::OnPlane) {
-      // The middle of a plane's readings for the point of it that is certified: near enough to begin with.
-      planes_from.push_back(feature.known.front() + tips.radii.mean() * feature.normal);
-      planes_onto.emplace_back(tips.centres.rowwise().mean());
-    } else {
-      if (const auto centre = point_at_distances(tips.centres, distances_from_centre(tips, shared))) {
-        from.push_back(feature.known.front());
-        onto.push_back(*centre);
-      }
-    }
-  }
-  if (from.size() < 3) {
-    from.insert(from.end(), planes_from.begin(), planes_from.end());
-    onto.insert(onto.end(), planes_onto.begin(), planes_onto.end());
-  }
-  const auto matrix = [](const std::vector<Eigen::Vector3d>& points) {
-    return Eigen::Matrix3Xd::Map(points.empty() ? nullptr : points.front().data(), 3,
-                                 static_cast<Eigen::Index>(points.size()));
-  };
-  const auto pose = from.size() < 3 ? std::nullopt : align(matrix(from), matrix(onto));
-  if (!pose) {
-    return no_solution(
-        fmt::format("the pose of the artefact of {} cannot be determined: readings on at least three of its "
-                    "points that are not on a line are needed",
-                    called));
-  }
-  group.reference.rotation = pose->rotation;
-  group.values = Eigen::VectorXd::Zero(6);
-  group.values.segment<3>(3) = pose->translation;
-  if (!refine_pose(features, shared, group)) {
-    return no_solution(
-        fmt::format("the pose of the artefact of {} cannot be determined from readings on these planes: three "
-                    "are needed, no two of them parallel",
-                    called));
-  }
-  return {};
 }
 
 // Radii that no certificate tells: each ball's from its own readings, then their mean over the placements.
@@ -190,9 +91,11 @@ Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm&
     GroupState& group = unknowns.groups.emplace_back();
     const std::string first = called(*by_group[i].front().feature, constraints, recording);
     if (constraints.groups[i].has_pose) {
-      if (auto estimated = estimate_pose(by_group[i], unknowns.shared, first, group); !estimated) {
+      auto estimated = estimate_pose(by_group[i], unknowns.shared, constraints.groups[i], first);
+      if (!estimated) {
         return tl::unexpected(estimated.error());
       }
+      group = std::move(*estimated);
       continue;
     }
     if (constraints.groups[i].has_axis) {

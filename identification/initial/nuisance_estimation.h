@@ -11,7 +11,7 @@ namespace artcal {
 /// planes on which the tip was), so that a length between two settled features is a measurement; certified
 /// coordinates and radii count as exact.
 /// No solution, by name of the feature: a centre that its readings do not determine (fewer than four,
-/// or all in one plane), a pose from points on a line, a plane from readings on a line.
+/// or all in one plane), a pose from a single point, a plane from readings on a line.
 Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm& arm, const Recording& recording);
 
 /// The same for who has the tips: all_tips(system, arm).

@@ -7,6 +7,7 @@
 
 #include "core/statistics.h"
 #include "identification/identifiability/weak_parameters.h"
+#include "identification/initial/faint_turns.h"
 #include "identification/initial/nuisance_estimation.h"
 #include "identification/least_squares/robust_fit.h"
 #include "identification/problem/weights.h"
@@ -115,7 +116,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
     SolveOptions round{first_loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
     put_prior(prior, system, round);
-    Solution solution = solve(system, fit.weights, x, std::move(fit.unknowns), round);
+    Solution solution = solve_with_turns(system, recording, fit.weights, x, fit.unknowns, round);
     const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
     if (solution.termination != Termination::Converged && !is_usable) {
       return no_solution(

@@ -36,7 +36,12 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& rotation) {
 }
 
 Rigid base_from_artefact(const GroupState& group) {
-  return {group.reference.rotation * rotation_of(group.values.head<3>()), group.values.segment<3>(3)};
+  const GroupReference& reference = group.reference;
+  if (reference.turn == PoseTurn::Free) {
+    return {reference.rotation * rotation_of(group.values.head<3>()), group.values.segment<3>(3)};
+  }
+  const Eigen::Vector3d rotation = reference.line.artefact_from_line.leftCols<2>() * group.values.head<2>();
+  return {reference.rotation * rotation_of(rotation), group.values.segment<3>(2)};
 }
 
 // With m = (s/size, t/size, 1) the direction is Q·m/|m|, and its derivative Q·(1 − m mᵀ/|m|²)/|m| · ∂m.
@@ -62,17 +67,39 @@ FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const Grou
     column_ = {constraint.offset, constraint.offset + 1, constraint.offset + 2};
     point_in_base_ = Eigen::Vector3d::Map(group_values + constraint.offset);
   } else if (constraint.location == Location::Posed) {
-    columns_ = 6;
-    const Eigen::Vector3d rotation = Eigen::Vector3d::Map(group_values);
+    const bool is_free = reference.turn == PoseTurn::Free;
+    const Eigen::Matrix3d& axes = reference.line.artefact_from_line;
+    turning_size_ = is_free ? 3 : 2;
+    const Eigen::Vector3d rotation = is_free ? Eigen::Vector3d(Eigen::Vector3d::Map(group_values))
+                                             : Eigen::Vector3d(axes.leftCols<2>() * Eigen::Vector2d::Map(group_values));
+    columns_ = turning_size_ + 3;
     artefact_from_base_ = (reference.rotation * rotation_of(rotation)).transpose();
-    origin_in_base_ = Eigen::Vector3d::Map(group_values + 3);
+    origin_in_base_ = Eigen::Vector3d::Map(group_values + turning_size_);
     right_jacobian_ = right_jacobian(rotation);
+    if (!is_free) {
+      right_jacobian_ = (right_jacobian_ * axes).eval();
+    }
+    if (reference.turn == PoseTurn::Scaled) {
+      columns_ = 7;
+      scaled_ = &reference.line;
+      displacement_ << group_values[5], -group_values[6], group_values[6], group_values[5];
+    }
   }
   if (constraint.first_error >= 0) {
     error_ = constraint.expansion * Eigen::Vector3d::Map(shared + constraint.first_error);
   }
   ball_radius_ =
       constraint.shared_radius >= 0 ? constraint.expansion * shared[constraint.shared_radius] : constraint.radius;
+}
+
+Eigen::Vector3d FeatureResidual::certified_point(int reading) const {
+  const Eigen::Vector3d point = constraint_.known[reading] + error_;
+  if (scaled_ == nullptr) {
+    return point;
+  }
+  Eigen::Vector3d in_line = scaled_->artefact_from_line.transpose() * (point - scaled_->middle);
+  in_line.head<2>() = (displacement_ * in_line.head<2>()).eval();
+  return scaled_->middle + scaled_->artefact_from_line * in_line;
 }
 
 Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, double tip_radius) const {
@@ -111,15 +138,26 @@ Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, do
     if (posed) {
       r.by_tip = artefact_from_base_;
       r.by_unknowns.leftCols<3>() = cross_matrix(e) * right_jacobian_;
-      r.by_unknowns.rightCols<3>() = -artefact_from_base_;
+      r.by_unknowns.middleCols<3>(turning_size_) = -artefact_from_base_;
+      if (scaled_ != nullptr) {
+        const auto across = scaled_->artefact_from_line.leftCols<2>();
+        const Eigen::Vector2d d = across.transpose() * (constraint_.known[reading] + error_ - scaled_->middle);
+        r.by_unknowns.col(5) = -across * d;
+        r.by_unknowns.col(6) = -across * Eigen::Vector2d(-d.y(), d.x());
+      }
     } else {
       r.by_tip.setIdentity();
       r.by_unknowns.leftCols<3>() = -Eigen::Matrix3d::Identity();
     }
     r.by_errors = -constraint_.expansion * Eigen::Matrix3d::Identity();
+    if (scaled_ != nullptr) {
+      Eigen::Matrix3d displaced = scaled_->artefact_from_line;
+      displaced.leftCols<2>() = (displaced.leftCols<2>() * displacement_).eval();
+      r.by_errors = -constraint_.expansion * displaced * scaled_->artefact_from_line.transpose();
+    }
   }
   if (posed) {
-    e -= constraint_.known[reading] + error_;
+    e -= certified_point(reading);
   }
   if (constraint_.kind == ConstraintKind::Coincide) {
     r.value = e;

@@ -15,7 +15,7 @@ struct Residual {
   int rows = 0;
   Eigen::Vector3d value;                    ///< mm
   Eigen::Matrix3d by_tip;                   ///< by the tip's coordinates in the base frame, mm/mm
-  Eigen::Matrix<double, 3, 6> by_unknowns;  ///< by a point or plane (3 columns) or the pose (6), mm/mm and mm/rad
+  Eigen::Matrix<double, 3, 7> by_unknowns;  ///< by a point or plane (3 columns) or the pose (5 to 7), mm/mm and mm/rad
   Eigen::Matrix3d by_errors;                ///< by the errors of certified coordinates (FeatureConstraint::first_error)
   double by_tip_radius = 0.0;               ///< of its only row
   double by_ball_radius = 0.0;              ///< by the shared radius of the ball
@@ -48,7 +48,7 @@ class FeatureResidual {
   FeatureResidual(const FeatureConstraint& constraint, const GroupReference& reference, const double* group_values,
                   const double* shared);
 
-  /// Columns of Residual::by_unknowns: 0, 3 or 6, and where each belongs in the group.
+  /// Columns of Residual::by_unknowns: 0, 3 or 5 to 7, and where each belongs in the group.
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int column(int i) const { return column_[i]; }
 
@@ -56,11 +56,12 @@ class FeatureResidual {
   [[nodiscard]] Residual at(int reading, const Eigen::Vector3d& tip_in_base, double tip_radius, bool derivatives) const;
 
  private:
+  [[nodiscard]] Eigen::Vector3d certified_point(int reading) const;
   [[nodiscard]] Residual at_unknown_plane(const Eigen::Vector3d& tip_in_base, double tip_radius) const;
 
   const FeatureConstraint& constraint_;
   int columns_ = 0;
-  std::array<int, 6> column_{0, 1, 2, 3, 4, 5};
+  std::array<int, 7> column_{0, 1, 2, 3, 4, 5, 6};
   double ball_radius_ = 0.0;
   Eigen::Vector3d error_ = Eigen::Vector3d::Zero();  // of the certified coordinates
   Eigen::Vector3d point_in_base_;
@@ -69,7 +70,10 @@ class FeatureResidual {
   double side_ = 1.0;
   Eigen::Matrix3d artefact_from_base_;  // rotation
   Eigen::Vector3d origin_in_base_;
-  Eigen::Matrix3d right_jacobian_;  // of exp at the turning
+  int turning_size_ = 3;               // columns of the turning
+  Eigen::Matrix3d right_jacobian_;     // of exp at the turning, by its unknowns
+  const PointLine* scaled_ = nullptr;  // the line across which points are displaced (PoseTurn::Scaled)
+  Eigen::Matrix2d displacement_;       // by this
 };
 
 /// exp: turning vector (rad) to rotation.

@@ -17,12 +17,16 @@ struct GroupReference {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< of a pose; of planes, its z axis is near their normal
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< of planes, in the base frame, among the readings
   double size = 1.0;                                       ///< of planes, mm: how far readings lie from the origin
-  std::vector<double> sides{};  ///< of each plane: 1 where the tip lies on the side of the axis, else -1
+  std::vector<double> sides{};     ///< of each plane: 1 where the tip lies on the side of the axis, else -1
+  PoseTurn turn = PoseTurn::Free;  ///< of a pose (UnknownGroup)
+  PointLine line{};                ///< of a pose whose turn is not free
 };
 
 /// The unknowns of one group (Constraints::groups). A pose: turning (rad) and shift (mm), then three
 /// coordinates in the base frame (mm) for each unknown point:
 ///     base_from_artefact = (reference.rotation · exp(turning), shift)
+/// A pose whose turn about a line is not free (PoseTurn): the two components of the turning across the line, the shift,
+/// and of a scaled turn u and v.
 /// Parallel planes: two tilts s, t (mm), then each plane's place o along their common axis:
 ///     axis = rotation · (s/size, t/size, 1), normalised;  the plane: axis · (X − origin) = o
 struct GroupState {
