@@ -27,9 +27,8 @@ double chi_squared_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
-double f_probability_above(double value, double numerator_freedom, double denominator_freedom) {
-  const boost::math::fisher_f distribution(numerator_freedom, denominator_freedom);
-  return boost::math::cdf(boost::math::complement(distribution, value));
+double chi_squared_probability_above(double value, double degrees_of_freedom) {
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared(degrees_of_freedom), value));
 }
 
 double f_quantile_above(double probability, double numerator_freedom, double denominator_freedom) {

@@ -12,8 +12,8 @@ double median(std::span<const double> values);
 /// The value that a χ² variable with `degrees_of_freedom` > 0 stays below with `probability` in (0, 1).
 double chi_squared_quantile(double probability, double degrees_of_freedom);
 
-/// The probability that an F variable with these degrees of freedom, both above 0, exceeds `value` ≥ 0.
-double f_probability_above(double value, double numerator_freedom, double denominator_freedom);
+/// The probability that a χ² variable with `degrees_of_freedom` > 0 exceeds `value` ≥ 0.
+double chi_squared_probability_above(double value, double degrees_of_freedom);
 
 /// The value that an F variable with these degrees of freedom, both above 0, exceeds with `probability` in (0, 1).
 double f_quantile_above(double probability, double numerator_freedom, double denominator_freedom);

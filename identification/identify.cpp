@@ -107,6 +107,9 @@ Expected<Identification> identify(const Recording& recording, const Constraints&
     result.left_out = evaluate_left_out(system, *estimate, recording, options, uncertainty->scale_factor);
     judge_by_left_out(options.loss, result);
   }
+  if (!warning_of(result.model_study).empty() && result.cross_validation.scale <= 1.0) {
+    result.warnings.push_back("the standard uncertainties do not include these unmodelled effects");
+  }
   const auto more = suspicions(result, reach(recording.arm));
   result.warnings.insert(result.warnings.end(), more.begin(), more.end());
   return result;

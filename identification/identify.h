@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -108,6 +109,10 @@ struct CheckedPrediction {
   double error = 0.0;    ///< measured less certified
   double u_arm = 0.0;    ///< its standard uncertainty by the parameters of that arm
   double u_other = 0.0;  ///< by the noise of the readings and by the certificate
+  /// The certificate's part of that, an error that all predictions of the same certified value have in common:
+  /// `certified` is the artefact and its two features (-1: each prediction has its own).
+  double u_certificate = 0.0;
+  std::array<int, 3> certified{-1, -1, -1};
 };
 
 /// One placement judged by an arm that was identified without it.
@@ -122,10 +127,11 @@ struct LeftOut {
 
 /// Whether placements left out are where the arms identified without them say, within their uncertainty.
 struct CrossValidation {
-  int placements = 0;        ///< that were left out and hold something to check; 0: nothing was checked
-  int predictions = 0;       ///< in all
-  double ratio = 0.0;        ///< of the errors to their standard uncertainties, rms over placements
-  double limit = 0.0;        ///< what chance stays below in 99 of 100 cases, where the model is right
+  int placements = 0;                 ///< that were left out and hold something to check; 0: nothing was checked
+  int predictions = 0;                ///< in all
+  double effective_placements = 0.0;  ///< that are independent of one another: fewer where certificates dominate
+  double ratio = 0.0;                 ///< of the errors to their standard uncertainties, rms over placements
+  double limit = 0.0;                 ///< what chance stays below in 99 of 100 cases, where the model is right
   double point_error = 0.0;  ///< unmodelled error of a coordinate of the tip at one posture, mm: beyond the noise
   /// Factor on the covariance's standard uncertainties, so that points and lengths have the unmodelled error; 1 where
   /// the model explains what placements left out show.

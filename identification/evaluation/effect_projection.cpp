@@ -1,24 +1,40 @@
 #include "identification/evaluation/effect_projection.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "identification/least_squares/elimination.h"
 #include "identification/least_squares/linearisation.h"
 #include "identification/least_squares/row_stack.h"
 #include "identification/least_squares/rows.h"
+#include "identification/monte_carlo/arrow_factor.h"
 
 namespace artcal {
 namespace {
+
+constexpr int min_of_feature = 10;
+// Weight of an unknown's own row beside its largest column: nothing beside a reading, but a place that its readings do
+// not determine keeps its value instead of being free.
+constexpr double faint = 1e-7;
 
 /// Columns of a block's weighted rows: its nuisance unknowns, the arm's parameters, the effects, the residuals.
 struct Columns {
   int nuisance, arm, effects;
 
-  [[nodiscard]] int effects_at() const { return nuisance + arm; }
-  [[nodiscard]] int residual_at() const { return effects_at() + effects; }
+  [[nodiscard]] int fitted() const { return nuisance + arm; }
+  [[nodiscard]] int residual_at() const { return fitted() + effects; }
   [[nodiscard]] int all() const { return residual_at() + 1; }
+};
+
+/// The rows of a block as they are, not folded.
+struct RowsOfBlock {
+  Block block;
+  Columns columns;
+  RowMatrix rows;
+  Eigen::Index first = 0;  // among all rows
 };
 
 /// Collects the rows of a fit block by block and takes out of them what the fit explains.
@@ -29,8 +45,7 @@ class Projection {
         fit_(fit),
         effects_(effects),
         kinematics_by_probe_(forward_kinematics_of(system, fit.arm)),
-        every_(1 + system.constraints->reading_residual_count() / 3 / max_searched_readings),
-        squares_(Eigen::VectorXd::Zero(effects.size())) {
+        every_(1 + system.constraints->reading_residual_count() / 3 / max_searched_readings) {
     Eigen::Index readings = 0;
     for (const FeatureConstraint& feature : system.constraints->features) {
       readings += looked_at(feature);
@@ -40,64 +55,97 @@ class Projection {
   }
 
   Searched search() && {
-    Linearisation with_effects;
-    with_effects.layout = layout_of(*system_.constraints, system_.arm_size());
+    Linearisation linearisation;
+    linearisation.layout = layout_of(*system_.constraints, system_.arm_size());
+    std::vector<RowsOfBlock> blocks;
     for (const Block& block : blocks_of(*system_.constraints)) {
-      with_effects.blocks.push_back({block.group, block.unknowns, block.parameters,
-                                     rows_of(block, block.group < 0 ? none_ : fit_.unknowns.groups[block.group])});
+      const GroupState& group = block.group < 0 ? none_ : fit_.unknowns.groups[block.group];
+      blocks.push_back({block, {block.nuisance(), system_.arm_size(), effects_.size()}, rows_of(block, group), rows_});
+      rows_ += blocks.back().rows.rows();
+      linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, determined(blocks.back())});
     }
-    const Eigen::MatrixXd triangle = eliminate_nuisance(with_effects, system_.arm_size() + effects_.size() + 1);
-    finish(eliminate_leading(triangle, system_.arm_size()));
-    searched_.degrees_of_freedom = counted_rows_ - static_cast<double>(with_effects.layout.size);
+    const auto factor = ArrowFactor::of(linearisation);
+    if (!factor) {
+      return {};
+    }
+    project(*factor, linearisation.layout, blocks);
+    searched_.degrees_of_freedom = static_cast<double>(rows_ - linearisation.layout.size);
     return std::move(searched_);
   }
 
  private:
-  Eigen::MatrixXd rows_of(const Block& block, const GroupState& group) {
+  RowMatrix rows_of(const Block& block, const GroupState& group) {
     const Constraints& constraints = *system_.constraints;
     const Columns columns{block.nuisance(), system_.arm_size(), effects_.size()};
-    RowStack stack(columns.all());
-    RowMatrix rows(3, columns.all());
+    Eigen::Index most = static_cast<Eigen::Index>(block.distances.size()) + block.parameters.size;
+    for (const int f : block.features) {
+      most += looked_at(constraints.features[f]) * constraints.features[f].dimension();
+    }
+    RowMatrix rows = RowMatrix::Zero(most, columns.all());
+    Eigen::Index count = 0;
     for (const int f : block.features) {
       const FeatureConstraint& feature = constraints.features[f];
       const FeatureResidual residual(feature, group.reference, group.values.data(), fit_.unknowns.shared.data());
-      for (int k = 0; k < feature.size(); k += every_) {
-        rows.setZero();
-        double* row = rows.data();
+      const int dimension = feature.dimension();
+      for (int k = 0; k < feature.size(); k += stride(feature)) {
+        double* row = rows.row(count).data();
         weighted_rows(
             system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k, 1,
             {columns.all(), row + columns.residual_at(), row + columns.nuisance, block.unknowns > 0 ? row : nullptr,
              block.parameters.size > 0 ? row + block.unknowns : nullptr, block.parameters.first});
-        const int dimension = feature.dimension();
-        rows.block(0, columns.effects_at(), dimension, columns.effects) = slopes_of(f, k, residual);
-        stack.add(rows.topRows(dimension));
-        counted_rows_ += dimension;
+        rows.block(count, columns.fitted(), dimension, columns.effects) = slopes_of(f, k, residual);
+        add_observation(count, dimension, units_++);
+        count += dimension;
       }
     }
-    Eigen::RowVectorXd row(columns.all());
     for (const int d : block.distances) {
-      row.setZero();
-      row[columns.residual_at()] = weighted_distance(constraints.distances[d], constraints, fit_.counted.distances[d],
-                                                     group.values.data(), row.data());
-      stack.add(row);
-      ++counted_rows_;
+      const DistanceConstraint& distance = constraints.distances[d];
+      auto row = rows.row(count);
+      row[columns.residual_at()] =
+          weighted_distance(distance, constraints, fit_.counted.distances[d], group.values.data(), row.data());
+      add_observation(count++, 1, unit_of(distance));
     }
     for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
       const int s = block.parameters.first + i;
-      const double weight = fit_.counted.shared[s];
-      if (weight > 0.0) {
-        row.setZero();
-        row[block.unknowns + i] = weight;
-        row[columns.residual_at()] = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
-        stack.add(row);
-        ++counted_rows_;
+      if (const double weight = fit_.counted.shared[s]; weight > 0.0) {
+        rows(count, block.unknowns + i) = weight;
+        rows(count, columns.residual_at()) = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
+        add_observation(count++, 1, units_++);
       }
     }
+    return rows.topRows(count);
+  }
+
+  void add_observation(Eigen::Index row_of_block, int dimension, int unit) {
+    searched_.observations.push_back({rows_ + row_of_block, Eigen::MatrixXd::Zero(dimension, dimension), unit});
+  }
+
+  // The error of a certified distance is the same in all placements.
+  int unit_of(const DistanceConstraint& distance) {
+    const auto& features = system_.constraints->features;
+    const FeatureConstraint& first = features[distance.first];
+    const auto [entry, is_new] =
+        unit_of_distance_.try_emplace({first.artefact, first.feature, features[distance.second].feature}, units_);
+    units_ += is_new ? 1 : 0;
+    return entry->second;
+  }
+
+  [[nodiscard]] Eigen::MatrixXd determined(const RowsOfBlock& of_block) const {
+    RowStack stack(of_block.columns.all());
+    stack.add(of_block.rows);
+    RowMatrix own = RowMatrix::Zero(of_block.columns.nuisance, of_block.columns.all());
+    for (int i = 0; i < of_block.columns.nuisance; ++i) {
+      own(i, i) = faint * std::max(1.0, of_block.rows.col(i).norm());
+    }
+    stack.add(own);
     return stack.rows();
   }
 
+  [[nodiscard]] int stride(const FeatureConstraint& feature) const {
+    return std::clamp(feature.size() / min_of_feature, 1, every_);
+  }
   [[nodiscard]] Eigen::Index looked_at(const FeatureConstraint& feature) const {
-    return (feature.size() + every_ - 1) / every_;
+    return (feature.size() + stride(feature) - 1) / stride(feature);
   }
 
   // What a unit of each effect does to a reading's weighted residual.
@@ -115,17 +163,68 @@ class Projection {
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const Eigen::Matrix3d to_rows = whitening * at.by_tip;
-    Eigen::MatrixXd slopes = to_rows.topRows(dimension).lazyProduct(tips);
-    squares_ += slopes.colwise().squaredNorm().transpose();
-    return slopes;
+    return to_rows.topRows(dimension).lazyProduct(tips);
   }
 
-  void finish(const Eigen::MatrixXd& left) {
+  // With Y = R⁻ᵀAᵀ of the fitted columns A the hat matrix is YᵀY; twice, because once leaves rounding errors of the
+  // size of the condition number.
+  void project(const ArrowFactor& factor, const StateLayout& layout, const std::vector<RowsOfBlock>& blocks) {
+    const int z = effects_.size();
+    Eigen::MatrixXd all(rows_, z + 1);
+    std::vector<Eigen::MatrixXd> halves;
+    std::vector<std::vector<Eigen::Index>> positions;
+    for (const RowsOfBlock& each : blocks) {
+      all.middleRows(each.first, each.rows.rows()) = each.rows.rightCols(z + 1);
+      halves.push_back(factor.half_solved(each.block, each.rows.leftCols(each.columns.fitted())));
+      positions.push_back(positions_of(factor, layout, each.block));
+    }
+    const Eigen::VectorXd before = all.leftCols(z).colwise().norm().transpose();
+    for (int pass = 0; pass < 2; ++pass) {
+      Eigen::MatrixXd explained = Eigen::MatrixXd::Zero(layout.size, z + 1);
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Eigen::MatrixXd part = halves[b] * all.middleRows(blocks[b].first, blocks[b].rows.rows());
+        for (Eigen::Index i = 0; i < part.rows(); ++i) {
+          explained.row(positions[b][static_cast<std::size_t>(i)]) += part.row(i);
+        }
+      }
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        all.middleRows(blocks[b].first, blocks[b].rows.rows()) -=
+            halves[b].transpose() * explained(positions[b], Eigen::all);
+      }
+    }
+    std::size_t observation = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const Eigen::Index end = blocks[b].first + blocks[b].rows.rows();
+      for (; observation < searched_.observations.size() && searched_.observations[observation].first < end;
+           ++observation) {
+        ObservationRows& rows = searched_.observations[observation];
+        const auto own = halves[b].middleCols(rows.first - blocks[b].first, rows.hat.rows());
+        rows.hat = own.transpose() * own;
+      }
+    }
+    finish(all, before);
+  }
+
+  // Where the rows of half_solved() stand among all unknowns.
+  static std::vector<Eigen::Index> positions_of(const ArrowFactor& factor, const StateLayout& layout,
+                                                const Block& block) {
+    std::vector<Eigen::Index> positions;
+    for (const int index : factor.reached_by(block)) {
+      const auto& columns = factor.eliminated()[static_cast<std::size_t>(index)].columns;
+      positions.insert(positions.end(), columns.begin(), columns.end());
+    }
+    for (Eigen::Index i = layout.arm; i < layout.size; ++i) {
+      positions.push_back(i);
+    }
+    return positions;
+  }
+
+  void finish(const Eigen::MatrixXd& left, const Eigen::VectorXd& before) {
     const int z = effects_.size();
     searched_.columns = left.leftCols(z);
     searched_.lengths = searched_.columns.colwise().norm().transpose();
     for (int i = 0; i < z; ++i) {
-      const bool is_seen = searched_.lengths[i] > least_seen * std::sqrt(squares_[i]) && searched_.lengths[i] > 0.0;
+      const bool is_seen = searched_.lengths[i] > least_seen * before[i] && searched_.lengths[i] > 0.0;
       searched_.columns.col(i) *= is_seen ? 1.0 / searched_.lengths[i] : 0.0;
     }
     searched_.residuals = left.col(z);
@@ -137,9 +236,10 @@ class Projection {
   const GroupState none_;
   std::vector<ForwardKinematics> kinematics_by_probe_;
   int every_;
-  Eigen::VectorXd squares_;  // of each effect's column before anything was taken out
   Eigen::Index looked_at_ = 0;
-  int counted_rows_ = 0;
+  Eigen::Index rows_ = 0;
+  int units_ = 0;
+  std::map<std::tuple<int, int, int>, int> unit_of_distance_;
   Searched searched_;
 };
 

@@ -11,6 +11,7 @@
 #include "acquisition/arm/joint_error_keys.h"
 #include "core/statistics.h"
 #include "identification/evaluation/effect_projection.h"
+#include "identification/evaluation/score_test.h"
 
 namespace artcal {
 namespace {
@@ -66,32 +67,51 @@ std::vector<int> physical_columns(const EffectFamily& family, const Eigen::Matri
   return kept;
 }
 
-std::optional<Share> share_of(const EffectFamily& family, const Eigen::MatrixXd& columns,
-                              const Eigen::VectorXd& residuals, double degrees_of_freedom) {
-  const Eigen::MatrixXd own = columns.middleCols(family.first, family.columns);
+// An orthonormal basis of these columns.
+Eigen::MatrixXd basis_of(const PivotedQr& qr) {
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(qr.rows(), qr.rank());
+  basis.applyOnTheLeft(qr.householderQ());
+  return basis;
+}
+
+/// What is left of a fit's rows beside the findings so far.
+struct Remainder {
+  Searched rows;
+  Eigen::VectorXd adjusted;  ///< leverage_adjusted() residuals
+
+  explicit Remainder(Searched searched)
+      : rows(std::move(searched)), adjusted(leverage_adjusted(rows.residuals, rows.observations)) {}
+
+  [[nodiscard]] double statistic(const PivotedQr& qr) const {
+    return score_statistic(basis_of(qr), rows.residuals, adjusted, rows.observations);
+  }
+};
+
+std::optional<Share> share_of(const EffectFamily& family, const Remainder& left) {
+  const Eigen::MatrixXd own = left.rows.columns.middleCols(family.first, family.columns);
   const PivotedQr qr = factored(own);
   const auto rank = static_cast<int>(qr.rank());
-  const double left = degrees_of_freedom - rank;
-  if (rank == 0 || own.norm() < least_seen || left < 10.0) {
+  if (rank == 0 || own.norm() < least_seen || left.rows.degrees_of_freedom - rank < 10.0) {
     return std::nullopt;
   }
-  const double whole = residuals.squaredNorm();
-  const auto f_of = [&](double explained) { return explained / rank / ((whole - explained) / left); };
-  const double f = f_of(explained_by(qr, residuals));
-  Share share{{family.effect, family.joint, rank, f, f_probability_above(f, rank, left)},
-              physical_columns(family, columns, residuals)};
+  const double statistic = left.statistic(qr);
+  Share share{{family.effect, family.joint, rank, statistic, chi_squared_probability_above(statistic, rank)},
+              physical_columns(family, left.rows.columns, left.rows.residuals)};
   if (!share.columns.empty()) {
     // Fewer columns explain less: with the degrees of freedom of all of them the test keeps its size.
-    const double explained = explained_by(factored(columns(Eigen::all, share.columns)), residuals);
-    share.p = f_probability_above(f_of(explained), rank, left);
-    share.evidence =
-        degrees_of_freedom * std::log1p(explained / (whole - explained)) - rank * std::log(degrees_of_freedom);
+    const PivotedQr physical = factored(left.rows.columns(Eigen::all, share.columns));
+    share.p = chi_squared_probability_above(left.statistic(physical), rank);
+    const double whole = left.rows.residuals.squaredNorm();
+    const double explained = explained_by(physical, left.rows.residuals);
+    const double freedom = left.rows.degrees_of_freedom;
+    share.evidence = freedom * std::log1p(explained / (whole - explained)) - rank * std::log(freedom);
   }
   return share;
 }
 
-ModelFinding finding_of(const EffectFamily& family, const Share& share, const Eigen::MatrixXd& columns,
-                        const Eigen::VectorXd& residuals, const Searched& searched) {
+ModelFinding finding_of(const EffectFamily& family, const Share& share, const Searched& searched) {
+  const Eigen::MatrixXd& columns = searched.columns;
+  const Eigen::VectorXd& residuals = searched.residuals;
   const Eigen::MatrixXd own = columns(Eigen::all, share.columns);
   const Eigen::VectorXd lengths = searched.lengths(share.columns);
   const Eigen::VectorXd solved = -factored(own).solve(residuals).cwiseQuotient(lengths);
@@ -150,20 +170,23 @@ bool is_plausible(const ModelFinding& finding) {
 }
 
 // Takes the family out of the residuals and of all columns.
-void remove_family(const EffectFamily& family, Eigen::MatrixXd& columns, Eigen::VectorXd& residuals) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns.middleCols(family.first, family.columns));
-  qr.setThreshold(least_seen);
-  const Eigen::Index rank = qr.rank();
-  columns.applyOnTheLeft(qr.householderQ().transpose());
-  residuals.applyOnTheLeft(qr.householderQ().transpose());
-  columns = columns.bottomRows(columns.rows() - rank).eval();
-  residuals = residuals.tail(residuals.size() - rank).eval();
-  columns.middleCols(family.first, family.columns).setZero();
-  for (auto column : columns.colwise()) {
+Remainder without_family(const EffectFamily& family, Searched rows) {
+  const PivotedQr qr = factored(rows.columns.middleCols(family.first, family.columns));
+  const Eigen::MatrixXd basis = basis_of(qr);
+  rows.columns -= basis * (basis.transpose() * rows.columns);
+  rows.residuals -= basis * (basis.transpose() * rows.residuals);
+  rows.columns.middleCols(family.first, family.columns).setZero();
+  for (auto column : rows.columns.colwise()) {
     if (column.norm() < least_seen) {
       column.setZero();
     }
   }
+  for (ObservationRows& observation : rows.observations) {
+    const auto own = basis.middleRows(observation.first, observation.hat.rows());
+    observation.hat += own * own.transpose();
+  }
+  rows.degrees_of_freedom -= static_cast<double>(basis.cols());
+  return Remainder(std::move(rows));
 }
 
 }  // namespace
@@ -174,16 +197,18 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
     return study;
   }
   const EffectColumns effects(system, recording);
-  const Searched searched = project_out_the_fit(system, fit, effects);
-  Eigen::MatrixXd columns = searched.columns;
-  Eigen::VectorXd residuals = searched.residuals;
-  double degrees_of_freedom = searched.degrees_of_freedom;
-  study.readings = searched.readings();
+  Remainder left(project_out_the_fit(system, fit, effects));
+  if (left.rows.residuals.size() == 0) {
+    return study;
+  }
+  study.readings = left.rows.readings();
+  const auto variance = [&] { return left.rows.residuals.squaredNorm() / left.rows.degrees_of_freedom; };
+  const double variance_of_fit = variance();
   while (study.findings.size() < max_findings) {
     std::vector<ModelTest> tests;
     std::vector<std::pair<const EffectFamily*, Share>> shares;
     for (const EffectFamily& candidate : effects.families()) {
-      if (auto share = share_of(candidate, columns, residuals, degrees_of_freedom)) {
+      if (auto share = share_of(candidate, left)) {
         tests.push_back(share->test);
         shares.emplace_back(&candidate, std::move(*share));
       }
@@ -202,7 +227,7 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
         study.implausible += share.test.p < limit ? 1 : 0;
         continue;
       }
-      const ModelFinding found = finding_of(*family, share, columns, residuals, searched);
+      const ModelFinding found = finding_of(*family, share, left.rows);
       if (!is_plausible(found)) {
         ++study.implausible;
       } else if (best == nullptr || share.evidence > best->second.evidence) {
@@ -214,8 +239,8 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
       break;
     }
     study.findings.push_back(*finding);
-    degrees_of_freedom -= best->second.test.columns;
-    remove_family(*best->first, columns, residuals);
+    left = without_family(*best->first, std::move(left.rows));
+    study.remaining_variance = variance() / variance_of_fit;
   }
   return study;
 }

@@ -40,7 +40,7 @@ std::string warning_of(const ModelStudy& study) {
                : "the residuals are more than noise, and none of the effects that they were searched for explains them "
                  "with values that a working joint can have: some other error, of the readings, an artefact or the "
                  "arm, "
-                 "is in them. No u here knows of that";
+                 "is in them";
   }
   std::string named;
   for (std::size_t i = 0; i < study.findings.size() && i < max_named; ++i) {
@@ -50,7 +50,7 @@ std::string warning_of(const ModelStudy& study) {
   if (study.findings.size() > max_named) {
     named += fmt::format("; and {} more", study.findings.size() - max_named);
   }
-  return fmt::format("the residuals exceed the noise; unmodelled effects: {}. No u here knows of that", named);
+  return fmt::format("the residuals exceed the noise; unmodelled effects: {}", named);
 }
 
 }  // namespace artcal

@@ -16,13 +16,14 @@ enum class Effect {
   Expansion,          ///< all lengths of the arm grow with temperature
 };
 
-/// One question to the residuals, asked beside the fitted model: an F test of `columns` more coefficients.
+/// One question to the residuals, asked beside the fitted model: a score test of `columns` more coefficients, whose
+/// variance is taken from the readings themselves (heteroscedasticity-consistent).
 struct ModelTest {
   Effect effect = Effect::OncePerTurn;
   int joint = 0;  ///< from 0
   int columns = 0;
-  double f = 0.0;
-  double p = 1.0;  ///< probability of such an F, or a larger one, where the model is right
+  double chi_squared = 0.0;  ///< of `columns` degrees of freedom where the model is right
+  double p = 1.0;            ///< probability of such a value, or a larger one, where the model is right
 };
 
 /// What the residuals hold that the model lacks.
@@ -44,6 +45,7 @@ struct ModelStudy {
   int readings = 0;            ///< that were looked at
   std::vector<ModelTest> tests;
   std::vector<ModelFinding> findings;  ///< the strongest first; only what a joint that works can have
+  double remaining_variance = 1.0;     ///< of the residuals beside the findings, as a share of that of the fit
   /// Effects that explain more of what is left than chance does, but only with values that no joint that works has (a
   /// compliance below zero, an encoder off by degrees): they are no causes.
   int implausible = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,11 +25,15 @@ struct PossiblePlacement {
   std::vector<PossibleReading> readings;
 };
 
-/// All that could be read, linearised at one arm. Common columns are the shared unknowns of the artefacts, then the
-/// arm's free parameters in the solver's physical units (1 mm, and the angle that moves the tip by 1 mm at the reach).
+/// All that could be read, linearised at one arm. Common columns are the shared unknowns of the artefacts, the errors
+/// of certified distances and of the expansion of artefacts (in standard uncertainties: an error of a certificate is
+/// the same in all placements, so that more placements do not make the scale better known), then the arm's free
+/// parameters in the solver's physical units (1 mm, and the angle that moves the tip by 1 mm at the reach).
 struct DesignPool {
   System system;
-  int shared = 0;
+  int shared = 0;  ///< common columns before the arm's
+  /// What each of these is, for a second pool with the same artefacts: "bar: A - B, 500 mm, u 0.0003 mm".
+  std::vector<std::string> shared_names;
   std::vector<PossiblePlacement> placements;
   /// Triangle of what holds before anything of the pool is read: what certificates say of the shared unknowns, and
   /// that every other common number is known to 10 units beforehand, so that no choice, however small, is singular.

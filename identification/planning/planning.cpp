@@ -13,12 +13,10 @@
 #include "core/statistics.h"
 #include "identification/identifiability/selection.h"
 #include "identification/identifiability/svd.h"
-#include "identification/initial/nuisance_estimation.h"
-#include "identification/least_squares/linearisation.h"
 #include "identification/least_squares/triangular_factor.h"
+#include "identification/planning/ball_patterns.h"
 #include "identification/planning/design_pool.h"
 #include "identification/planning/exchange.h"
-#include "identification/problem/weights.h"
 
 namespace artcal {
 namespace {
@@ -69,20 +67,41 @@ PossiblePlacement thinned(PossiblePlacement placement, int count) {
   return placement;
 }
 
-// What was measured tells of the arm, padded to the pool's common columns. Certificates' errors count as its own.
+// What was measured tells of the pool's common columns. An artefact that is in both has the same errors in both; those
+// of others are eliminated.
 Expected<Eigen::MatrixXd> told_by_measured(const Recording& measured, const Constraints& constraints, const Arm& arm,
                                            const DesignPool& pool, const Noise& noise) {
-  const System system = make_system(measured, constraints, arm, pool.system.free);
-  const auto unknowns = estimate_nuisance_parameters(system, arm, measured);
-  if (!unknowns) {
-    return tl::unexpected(unknowns.error());
+  const auto own = design_pool(measured, constraints, arm, pool.system.free, noise);
+  if (!own) {
+    return tl::unexpected(own.error());
   }
-  const Linearisation linear =
-      linearise(system, first_weights(system, arm, *unknowns, noise), Loss::None, arm, *unknowns);
-  const Eigen::MatrixXd triangle = arm_triangle(linear, system.arm_size());
-  Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(triangle.rows(), pool.common());
-  padded.rightCols(triangle.cols()) = triangle;
-  return padded;
+  TriangularFactor told(own->common());
+  for (const PossiblePlacement& placement : own->placements) {
+    told.add(information_of(placement, all_of(placement), own->common()));
+  }
+  std::vector<int> others;
+  std::vector<std::pair<int, int>> same;  // column of its own, column of the pool
+  for (int column = 0; column < own->shared; ++column) {
+    const auto& names = pool.shared_names;
+    const auto found = std::find(names.begin(), names.end(), own->shared_names[static_cast<std::size_t>(column)]);
+    if (found == names.end()) {
+      others.push_back(column);
+      told.add(own->known.row(column));
+    } else {
+      same.emplace_back(column, static_cast<int>(found - names.begin()));
+    }
+  }
+  const Eigen::MatrixXd triangle = told.triangle();
+  const auto leading = static_cast<int>(others.size());
+  Eigen::MatrixXd in_pool = Eigen::MatrixXd::Zero(triangle.rows(), leading + pool.common());
+  in_pool.leftCols(leading) = triangle(Eigen::all, others);
+  for (const auto& [from, to] : same) {
+    in_pool.col(leading + to) = triangle.col(from);
+  }
+  in_pool.rightCols(pool.system.arm_size()) = triangle.rightCols(pool.system.arm_size());
+  TriangularFactor factor(leading + pool.common());
+  factor.add(in_pool);
+  return eliminate_leading(factor.triangle(), leading);
 }
 
 /// Choosing and judging over one pool.
@@ -186,6 +205,22 @@ class Planner {
   TestLengths information_of_;
 };
 
+// The touches of each ball on enough of it.
+void spread(const Simulation& possible, const Constraints& constraints, const PossiblePlacement& placement,
+            Readings& readings) {
+  std::vector<int> chosen;
+  for (const int k : readings) {
+    chosen.push_back(placement.readings[static_cast<std::size_t>(k)].reading);
+  }
+  chosen = with_spread_touches(possible, constraints, placement.placement, chosen);
+  readings.clear();
+  for (const int k : all_of(placement)) {
+    if (std::binary_search(chosen.begin(), chosen.end(), placement.readings[static_cast<std::size_t>(k)].reading)) {
+      readings.push_back(k);
+    }
+  }
+}
+
 int candidate_of(const Simulation& possible, int placement) {
   const std::string& name = possible.recording.placements.name(placement);
   const auto found = std::find_if(possible.placements.begin(), possible.placements.end(),
@@ -243,7 +278,10 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
     readings = static_cast<int>(measured->readings.size());
     planning.measured = planner.expect(known, readings);
   }
-  const auto chosen = planner.choose(known);
+  std::vector<Taken> chosen = planner.choose(known);
+  for (Taken& taken : chosen) {
+    spread(possible, constraints, pool->placements[static_cast<std::size_t>(taken.placement)], taken.readings);
+  }
   int taken = readings;
   for (const auto& [p, indices] : chosen) {
     const PossiblePlacement& placement = pool->placements[static_cast<std::size_t>(p)];
@@ -252,6 +290,7 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
     for (const int k : indices) {
       out.readings.push_back(placement.readings[static_cast<std::size_t>(k)].reading);
     }
+    out.balls = planned_balls(possible, constraints, placement.placement, out.readings);
     taken += static_cast<int>(indices.size());
   }
   std::vector<Taken> everything;

@@ -25,10 +25,18 @@ struct PlanningOptions {
   std::uint64_t seed = 1;
 };
 
+/// A ball as a plan has it touched.
+struct PlannedBall {
+  std::string feature;
+  int touches = 0;
+  double dilution = 0.0;  ///< of its centre (artefacts/simulation/pattern.h); infinite: they do not determine the ball
+};
+
 /// A placement that was chosen, and the readings to take there.
 struct ChosenPlacement {
   int candidate = 0;          ///< into Simulation::placements
   std::vector<int> readings;  ///< into Simulation::recording
+  std::vector<PlannedBall> balls;
 };
 
 /// What a set of readings is expected to give.
@@ -53,7 +61,8 @@ struct Planning {
 /// that the standard uncertainty of lengths in its volume, as the identified arm will measure them, becomes small.
 /// Placements are exchanged first, each with all its possible readings at the weight of as many as will be
 /// taken; then the readings of each (DETMAX, Mitchell 1974; observability indices, Gao 2013). Lengths are drawn between
-/// the end stops; those that the result is told by are others than those that the choice was made by.
+/// the end stops; those that the result is told by are others than those that the choice was made by. Touches of a ball
+/// that lie on a small part of it are exchanged for others (max_planned_dilution).
 /// `measured`, with its constraints, is what counts anyway.
 ///
 /// Refused: fewer possible placements than are asked for, a noise that is not stated. No solution: readings that tell

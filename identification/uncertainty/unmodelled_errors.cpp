@@ -1,9 +1,11 @@
 #include "identification/uncertainty/unmodelled_errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -78,7 +80,9 @@ class Predictor {
     return both;
   }
 
-  [[nodiscard]] CheckedPrediction prediction(double error, const Combination& combination, double u_certified) const {
+  /// `certified`: see CheckedPrediction.
+  [[nodiscard]] CheckedPrediction prediction(double error, const Combination& combination, double u_certified,
+                                             const std::array<int, 3>& certified) const {
     std::vector<UncertainTip> tips;
     for (const int reading : combination.readings) {
       tips.push_back(arm_of(reading).tip(recording_.joints.col(reading)));
@@ -86,7 +90,14 @@ class Predictor {
     const UncertainArm& any = arm_of(combination.readings.front());
     const double of_arm = any.without_noise().of_combination(tips, combination.gradients);
     const double all = any.of_combination(tips, combination.gradients);
-    return {error, of_arm, std::hypot(std::sqrt(std::max(0.0, all * all - of_arm * of_arm)), u_certified)};
+    return {error, of_arm, std::hypot(std::sqrt(std::max(0.0, all * all - of_arm * of_arm)), u_certified), u_certified,
+            certified};
+  }
+
+  /// What two features are certified by.
+  [[nodiscard]] std::array<int, 3> certified_by(int first, int second) const {
+    const FeatureConstraint& feature = placement_.features[first];
+    return {feature.artefact, feature.feature, placement_.features[second].feature};
   }
 
   [[nodiscard]] Eigen::Index first_of(int feature) const { return first_[feature]; }
@@ -113,7 +124,8 @@ void add_lengths(const Constraints& placement, const Evaluation& evaluation, con
     const DistanceConstraint& distance = placement.distances[d];
     if (is_place(placement.features[distance.first])) {
       predictions.push_back(predictor.prediction(evaluation.lengths[d].error,
-                                                 predictor.distance(distance.first, distance.second), distance.u));
+                                                 predictor.distance(distance.first, distance.second), distance.u,
+                                                 predictor.certified_by(distance.first, distance.second)));
     }
   }
 }
@@ -142,7 +154,8 @@ void add_patterns(const Constraints& placement, const Evaluation& evaluation, co
       const double measured = (evaluation.points[second] - evaluation.points[first]).norm();
       if (truth > 0.0) {
         predictions.push_back(predictor.prediction(measured - truth, predictor.distance(first, second),
-                                                   std::hypot(u_of(first), u_of(second))));
+                                                   std::hypot(u_of(first), u_of(second)),
+                                                   predictor.certified_by(first, second)));
       }
     }
   }
@@ -158,8 +171,8 @@ void add_coordinates(const Constraints& placement, const Evaluation& evaluation,
     for (int k = 0; k < feature.size(); ++k) {
       for (int axis = 0; axis < 3; ++axis) {
         const Combination coordinate{{feature.readings[k]}, {Eigen::Vector3d::Unit(axis)}};
-        predictions.push_back(
-            predictor.prediction(evaluation.offsets[predictor.first_of(f) + k][axis], coordinate, feature.u));
+        predictions.push_back(predictor.prediction(evaluation.offsets[predictor.first_of(f) + k][axis], coordinate,
+                                                   feature.u, {-1, -1, -1}));
       }
     }
   }
@@ -186,6 +199,35 @@ double sum_over_placements(const std::vector<LeftOut>& left_out, double scale, L
                             : static_cast<double>(squares.size()) * median(squares) / chi_squared_quantile(0.5, 1.0);
 }
 
+// Degrees of freedom of that sum (Satterthwaite): within a placement errors are taken for one; from placement to
+// placement the error of a certified value is the same, and the more it is of u, the less does each placement add.
+double effective_placements(const std::vector<LeftOut>& left_out) {
+  struct Sums {
+    double all = 0.0, squares = 0.0;
+  };
+  std::map<std::array<int, 3>, Sums> by_certified;
+  double placements = 0.0;
+  for (const LeftOut& left : left_out) {
+    placements += left.predictions.empty() ? 0.0 : 1.0;
+    std::map<std::array<int, 3>, double> own;
+    for (const CheckedPrediction& checked : left.predictions) {
+      const double u = std::hypot(checked.u_arm, checked.u_other);
+      if (checked.certified[0] >= 0 && u > 0.0) {
+        own[checked.certified] += std::pow(checked.u_certificate / u, 2) / static_cast<double>(left.predictions.size());
+      }
+    }
+    for (const auto& [certified, share] : own) {
+      by_certified[certified].all += share;
+      by_certified[certified].squares += share * share;
+    }
+  }
+  double squares = placements;
+  for (const auto& [certified, sums] : by_certified) {
+    squares += sums.all * sums.all - sums.squares;
+  }
+  return placements * placements / squares;
+}
+
 // The scale at which the sum is the number of placements; it falls with the scale.
 double matching_scale(const std::vector<LeftOut>& left_out, double placements, Loss loss) {
   double low = 1.0, high = largest_scale;
@@ -199,6 +241,35 @@ double matching_scale(const std::vector<LeftOut>& left_out, double placements, L
 // So few placements do not know a scale better: Student's factor over the normal one.
 double of_few(double placements) {
   return student_coverage_factor(coverage, placements) / normal_quantile(0.5 * (1.0 + coverage));
+}
+
+// The scale with which 95 % intervals hold 95 % of coordinates of these variances with that error beside them. A mean
+// over the variances would not do: where they differ from posture to posture, the small ones hold too little. Those
+// that the parameters hardly move count with half of the rms, so that they do not enlarge all others without
+// bound.
+double covering_scale(std::vector<double> variances, double error) {
+  const double least =
+      std::accumulate(variances.begin(), variances.end(), 0.0) / (4.0 * static_cast<double>(variances.size()));
+  if (!(least > 0.0)) {
+    return 1.0;
+  }
+  for (double& variance : variances) {
+    variance = std::max(variance, least);
+  }
+  const auto share_held = [&](double scale) {
+    double sum = 0.0;
+    for (const double variance : variances) {
+      const double limit = normal_quantile(0.5 * (1.0 + coverage)) * scale * std::sqrt(variance);
+      sum += std::erf(limit / std::sqrt(2.0 * (variance + error * error)));
+    }
+    return sum / static_cast<double>(variances.size());
+  };
+  double low = 1.0, high = largest_scale;
+  while (high / low > 1.0 + 1e-9) {
+    const double middle = std::sqrt(low * high);
+    (share_held(middle) < coverage ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace
@@ -228,9 +299,10 @@ CrossValidation cross_validate(const std::vector<LeftOut>& left_out, bool effect
   const double placements = found.placements;
   const double sum = sum_over_placements(left_out, 1.0, loss);
   found.ratio = std::sqrt(sum / placements);
-  found.limit = std::sqrt(chi_squared_quantile(confidence, placements) / placements);
+  found.effective_placements = effective_placements(left_out);
+  found.limit = std::sqrt(chi_squared_quantile(confidence, found.effective_placements) / found.effective_placements);
   if (found.ratio > (effects_found ? 1.0 : found.limit)) {
-    found.scale = matching_scale(left_out, placements, loss) * of_few(placements);
+    found.scale = matching_scale(left_out, placements, loss) * of_few(found.effective_placements);
   }
   return found;
 }
@@ -258,14 +330,13 @@ void add_point_error(double error, const Identification& result, CrossValidation
   sources.covariance = result.covariance;
   const UncertainArm arm(result.arm, std::move(sources));
   RandomStream random(1, "unmodelled error");
-  double variance = 0.0;
+  std::vector<double> variances;  // of coordinates
   for (int i = 0; i < survey_postures; ++i) {
-    variance += arm.of_point(arm.tip(random_posture(result.arm, random))).trace() / (3.0 * survey_postures);
+    const Eigen::Vector3d of_point = arm.of_point(arm.tip(random_posture(result.arm, random))).diagonal();
+    variances.insert(variances.end(), of_point.begin(), of_point.end());
   }
   found.point_error = error;
-  if (variance > 0.0) {
-    found.scale = std::max(found.scale, std::sqrt(1.0 + error * error / variance) * of_few(found.placements));
-  }
+  found.scale = std::max(found.scale, covering_scale(std::move(variances), error) * of_few(found.effective_placements));
 }
 
 void enlarge_for_unmodelled_errors(const CrossValidation& found, Identification& result) {
@@ -298,7 +369,9 @@ void judge_by_left_out(Loss loss, Identification& result) {
   const bool noise_exceeded =
       result.noise_is_given && result.chi_squared > chi_squared_quantile(0.999, result.degrees_of_freedom);
   if (effects_found || noise_exceeded || found.scale > 1.0) {
-    const double known_noise = result.noise_is_given ? result.noise : 0.0;
+    // Where no noise was stated, it is what the residuals hold beside the effects that were found in them.
+    const double known_noise =
+        result.noise_is_given ? result.noise : result.noise * std::sqrt(result.model_study.remaining_variance);
     add_point_error(unmodelled_point_error(result.left_out, known_noise), result, found);
   }
   enlarge_for_unmodelled_errors(found, result);

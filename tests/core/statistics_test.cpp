@@ -89,7 +89,13 @@ TEST(Statistics, FisherLimitsAtSmallDegreesOfFreedom) {
   EXPECT_NEAR(f_quantile_above(0.01, 3, 2), 99.16620137447148, 1e-8);
   EXPECT_NEAR(f_quantile_above(0.01, 3, 60), 4.125891930795666, 1e-9);
   EXPECT_NEAR(f_quantile_above(0.01 / 9.0, 3, 4), 53.21429164315051, 1e-8);
-  EXPECT_NEAR(f_probability_above(f_quantile_above(0.01, 3, 2), 3, 2), 0.01, 1e-12);
+}
+
+// scipy.stats.chi2.sf, scipy 1.10.
+TEST(Statistics, ProbabilitiesOfChiSquared) {
+  EXPECT_NEAR(chi_squared_probability_above(25.0, 2.0) / 3.7266531720786718e-06, 1.0, 1e-12);
+  EXPECT_NEAR(chi_squared_probability_above(60.0, 6.0) / 4.501016648012131e-11, 1.0, 1e-12);
+  EXPECT_EQ(chi_squared_probability_above(0.0, 3.0), 1.0);
 }
 
 TEST(Statistics, NormalQuantiles) {

@@ -76,12 +76,13 @@ Json model_study_json(const ModelStudy& study) {
           {"false_alarms", study.false_alarms},
           {"readings", study.readings},
           {"implausible", study.implausible},
+          {"remaining_variance", study.remaining_variance},
           {"tests", json_list(study.tests,
                               [](const ModelTest& test) -> Json {
                                 return {{"effect", name_of(test.effect)},
                                         {"joint", joint_json(test.effect, test.joint)},
                                         {"columns", test.columns},
-                                        {"f", test.f},
+                                        {"chi_squared", test.chi_squared},
                                         {"p", test.p}};
                               })},
           {"findings", json_list(study.findings, [](const ModelFinding& finding) -> Json {

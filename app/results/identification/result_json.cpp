@@ -111,8 +111,13 @@ Json cross_validation_json(const CrossValidation& found) {
   if (found.placements == 0) {
     return nullptr;
   }
-  return {{"placements", found.placements}, {"predictions", found.predictions},    {"ratio", found.ratio},
-          {"ratio_99", found.limit},        {"point_error_mm", found.point_error}, {"scale", found.scale}};
+  return {{"placements", found.placements},
+          {"effective_placements", found.effective_placements},
+          {"predictions", found.predictions},
+          {"ratio", found.ratio},
+          {"ratio_99", found.limit},
+          {"point_error_mm", found.point_error},
+          {"scale", found.scale}};
 }
 
 }  // namespace

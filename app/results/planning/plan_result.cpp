@@ -9,6 +9,7 @@
 #include "acquisition/csv/csv_text.h"
 #include "app/output/table.h"
 #include "app/results/result_head.h"
+#include "artefacts/verification/point_uncertainty.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -42,12 +43,19 @@ Json chosen_json(const PlanResult& result, const ChosenPlacement& chosen) {
     readings.push_back({{"feature", recording.features.name(recording.readings[reading].feature)},
                         {"joints_rad", std::vector<double>(q.begin(), q.end())}});
   }
+  Json balls = Json::array();
+  for (const PlannedBall& ball : chosen.balls) {
+    balls.push_back({{"feature", ball.feature},
+                     {"touches", ball.touches},
+                     {"dilution", std::isfinite(ball.dilution) ? Json(ball.dilution) : Json(nullptr)}});
+  }
   return {{"placement", place.name},
           {"artefact", result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified.name},
           {"first_feature_mm", numbers(ends.first_in_base)},
           {"last_feature_mm", numbers(ends.last_in_base)},
           {"rotation", rotation},
           {"translation_mm", numbers(place.base_from_artefact.translation)},
+          {"balls", balls},
           {"readings", readings}};
 }
 
@@ -97,6 +105,24 @@ std::string placements_text(const PlanResult& result) {
                told(ends.last_in_base), truncated(60, readings)});
   }
   return table.text();
+}
+
+// Balls whose centre their touches determine so poorly that verification shows nothing by them.
+std::string dilution_text(const PlanResult& result) {
+  std::string text;
+  for (const ChosenPlacement& chosen : result.planning.chosen) {
+    for (const PlannedBall& ball : chosen.balls) {
+      if (ball.dilution > max_dilution) {
+        text += fmt::format(
+            "Warning: placement {}, {}: {} touches determine the ball's centre with {} the scatter of one touch; take "
+            "more, spread over the ball\n",
+            in_quotes(result.possible.placements[static_cast<std::size_t>(chosen.candidate)].name),
+            in_quotes(ball.feature), ball.touches,
+            std::isfinite(ball.dilution) ? fmt::format("{:.1f} times", ball.dilution) : "no bound beside");
+      }
+    }
+  }
+  return text.empty() ? "" : "\n" + text;
 }
 
 std::string prior_text(const PlanResult& result) {
@@ -173,12 +199,12 @@ Json to_json(const PlanResult& result) {
 std::string to_text(const PlanResult& result) {
   const Planning& planning = result.planning;
   return fmt::format(
-      "arm {}: {} of {} possible placements, {} readings of each feature, {}\n\n{}\n"
+      "arm {}: {} of {} possible placements, {} readings of each feature, {}\n\n{}{}\n"
       "Standard uncertainty (k = 1, um) of a length anywhere in the volume, as the arm so identified will measure it,\n"
       "and what the readings tell of its {} parameters (O1 to O5, larger is better):\n\n{}\n"
       "Joint angles of the readings are in the JSON result and, with -o, in a table. Any posture near them will do.\n",
       in_quotes(truncated(60, result.plan.nominal.name)), planning.chosen.size(), result.possible.placements.size(),
-      result.options.readings, prior_text(result), placements_text(result), planning.free.size(),
+      result.options.readings, prior_text(result), placements_text(result), dilution_text(result), planning.free.size(),
       expectations_text(result));
 }
 

@@ -35,6 +35,23 @@ TEST(UnmodelledErrors, WhatChanceExplainsChangesNothing) {
   EXPECT_EQ(cross_validate(placements(4, 0.9), true, Loss::None).scale, 1.0);
 }
 
+// A bar whose certificate is off by 1.9 standard uncertainties is so in each placement: it is one error, and chance
+// allows 2.576 of it (scipy 1.10: norm.isf(0.005)), not the 1.82 of four independent ones.
+TEST(UnmodelledErrors, OneCertificateIsOneErrorInAllPlacements) {
+  auto all = placements(4, 1.9);
+  for (LeftOut& left : all) left.predictions[0] = {1.9e-3, 0.0, 1e-3, 1e-3, {0, 0, 1}};
+  const CrossValidation found = cross_validate(all, false, Loss::None);
+  EXPECT_NEAR(found.effective_placements, 1.0, 1e-12);
+  EXPECT_NEAR(found.limit, 2.575829, 1e-6);
+  EXPECT_EQ(found.scale, 1.0);
+  // Half of the variance: 4²/(4 + 12·(1/2)²).
+  for (LeftOut& left : all) left.predictions[0] = {1.9e-3, 1e-3, 1e-3, 1e-3, {0, 0, 1}};
+  EXPECT_NEAR(cross_validate(all, false, Loss::None).effective_placements, 16.0 / 7.0, 1e-12);
+  // A bar of its own in each.
+  for (std::size_t p = 0; p < all.size(); ++p) all[p].predictions[0].certified[0] = static_cast<int>(p);
+  EXPECT_NEAR(cross_validate(all, false, Loss::None).effective_placements, 4.0, 1e-12);
+}
+
 TEST(UnmodelledErrors, NothingLeftOutShowsNothing) {
   const CrossValidation found = cross_validate({LeftOut{}, LeftOut{}}, true, Loss::None);
   EXPECT_EQ(found.placements, 0);
