@@ -218,13 +218,22 @@ class ModelSearch {
   // From the best arm so far, which a wider model contains; with Hayati's angle d and theta mean something else.
   [[nodiscard]] std::optional<Arm> start_for(const Model& model) const {
     const bool same_parameters = model.empty() || model.back() != ParameterGroup::Hayati;
-    return best_ && best_->estimate.misfits.empty() && same_parameters ? std::optional(best_->estimate.fit.arm)
-                                                                       : options_.start;
+    return best_ && best_->estimate.misfits.empty() && best_->estimate.fixed.empty() && same_parameters
+               ? std::optional(best_->estimate.fit.arm)
+               : options_.start;
   }
 
+  // From the best arm so far where that leads to the same answer as the nominal one: which members of a group are
+  // fixed, and what can be left out, may depend on the way.
   [[nodiscard]] Expected<TriedModel> tried_with(const Model& model) const {
     IdentifyOptions own = options_for(model, options_);
     own.start = start_for(model);
+    auto tried = try_model(recording_, constraints_, own);
+    const bool is_determined = tried && tried->estimate.fixed.empty() && first_refusal(tried->left_out).empty();
+    if (!own.start || !tried || is_determined) {
+      return tried;
+    }
+    own.start = options_.start;
     return try_model(recording_, constraints_, own);
   }
 
