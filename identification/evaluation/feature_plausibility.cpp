@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,7 +22,8 @@ constexpr double false_alarms = 0.001;
 constexpr double beyond_certificate = 10.0;
 // Unknowns that the readings of a ball, a point or a plane settle at most.
 constexpr int own_unknowns = 3;
-constexpr double smallest = 1e-300;  // of exact readings
+constexpr double smallest = 1e-300;       // of exact readings
+constexpr double gross_difference = 0.1;  // of a length, in proportion
 
 /// How large something is, and how large for chance.
 struct Size {
@@ -116,6 +121,36 @@ std::optional<std::string> implausible_feature_text(const Evaluation& evaluation
       "fits the others (have these features each other's names?)",
       in_quotes(length->first.feature), in_quotes(length->second), in_quotes(length->first.placement), length->error,
       length->certified.value);
+}
+
+std::optional<std::string> grossly_different_length(const Evaluation& evaluation) {
+  struct Measured {
+    const LengthDeviation* first = nullptr;
+    std::vector<double> lengths;
+  };
+  std::map<std::tuple<std::string, std::string, std::string>, Measured> by_features;
+  for (const LengthDeviation& length : evaluation.lengths) {
+    Measured& measured = by_features[{length.first.artefact, length.first.feature, length.second}];
+    measured.first = measured.first == nullptr ? &length : measured.first;
+    measured.lengths.push_back(length.at_temperature + length.error);
+  }
+  double largest = 0.0;
+  std::optional<std::string> text;
+  for (auto& [features, measured] : by_features) {
+    const double as_read = median(measured.lengths);
+    const double certified = measured.first->certified.value;
+    const double difference = std::abs(as_read - certified);
+    if (difference > gross_difference * certified && difference > largest) {
+      largest = difference;
+      text = fmt::format(
+          "the certified distance of {} and {} of artefact {} is {:.6g} mm, but the nominal arm reads {:.5g} mm "
+          "between "
+          "them (are these positions, steps and units those of the certificate?)",
+          in_quotes(measured.first->first.feature), in_quotes(measured.first->second),
+          in_quotes(measured.first->first.artefact), certified, as_read);
+    }
+  }
+  return text;
 }
 
 }  // namespace artcal

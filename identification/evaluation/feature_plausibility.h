@@ -16,4 +16,8 @@ std::optional<std::string> implausible_feature(const Evaluation& evaluation, dou
 /// two ends, each fitted by itself: features have each other's names.
 std::optional<std::string> implausible_feature_text(const Evaluation& evaluation, double far_off);
 
+/// Of certified distances that an arm measures more than a tenth off, median over placements, the one that is off most:
+/// no nominal arm is so wrong, but a certificate that was copied wrongly is (positions given as steps, another unit).
+std::optional<std::string> grossly_different_length(const Evaluation& evaluation);
+
 }  // namespace artcal

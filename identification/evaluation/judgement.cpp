@@ -136,6 +136,8 @@ Error with_reason(Error error, const Recording& recording, const Constraints& co
   const auto evaluation = evaluate(recording, constraints, start);
   if (const auto strange = evaluation ? implausible_feature_text(*evaluation, another_place) : std::nullopt) {
     error.message = "no arm fits these readings: " + *strange + "; " + error.message;
+  } else if (const auto gross = evaluation ? grossly_different_length(*evaluation) : std::nullopt) {
+    error.message = *gross + "; " + error.message;
   }
   return error;
 }

@@ -83,6 +83,20 @@ TEST_F(Identify, AnArmThatDoesNotFitIsFourUnlessAccepted) {
   EXPECT_FALSE(arm->identification->misfits.empty());
 }
 
+TEST_F(Identify, ACertificateCopiedWronglyIsNamed) {
+  take("ball-bar");
+  // Positions typed in as if they were steps.
+  std::string bar_text = text_of("ball-bar/bar.toml");
+  bar_text.resize(bar_text.find("[[distance]]"));
+  write("ball-bar/bar.toml", bar_text +
+                                 "[[distance]]\nalong = [\"0\", \"1\", \"2\", \"3\"]\n"
+                                 "steps = [250.0123, 600.0045, 1000.0078]\nU = 0.0008\nk = 2\n");
+  const Ended ended = run({"identify", "ball-bar/recording.toml"});
+  EXPECT_EQ(ended.exit_code, 4);
+  EXPECT_THAT(ended.err, HasSubstr("the certified distance of \"2\" and \"3\" of artefact \"ball bar 1000\" is "
+                                   "1000.01 mm, but the nominal arm reads 39"));
+}
+
 TEST_F(Identify, WritesTheArmAndTheResult) {
   take("two-socket-bar");
   const Ended ended = run(with(bar, {"-o", "arm.toml", "--json", "r.json"}));
