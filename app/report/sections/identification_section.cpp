@@ -81,8 +81,8 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   sheet.table(table);
   if (left.readings > 0) {
     sheet.paragraph(
-        "Before: the nominal arm. After: the identified arm, judged by the readings it was identified from. Placement "
-        "cross-val.: each placement evaluated with an arm identified without it; expect this of new readings.");
+        "Before: the nominal arm. After: the identified arm, judged by the readings it was identified from. "
+        "Cross-validation: each placement evaluated with an arm identified without it; expect this of new readings.");
   }
 }
 
