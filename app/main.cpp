@@ -22,21 +22,22 @@
 namespace {
 
 constexpr std::array commands{
-    artcal::Command{"fit", "one feature from a file of points", artcal::set_up_fit},
-    artcal::Command{"identify", "find an arm's parameters from its readings on artefacts", artcal::set_up_identify},
-    artcal::Command{"coupling", "which parameters readings determine, and which not (identifiability)",
+    artcal::Command{"fit", "fit one feature to a file of points", artcal::set_up_fit},
+    artcal::Command{"identify", "identify an arm's parameters from its readings on artefacts", artcal::set_up_identify},
+    artcal::Command{"coupling", "identifiability analysis: which parameters readings determine",
                     artcal::set_up_coupling},
     artcal::Command{"segment", "find an artefact's spheres and planes in a scan", artcal::set_up_segment},
-    artcal::Command{"uncertainty", "how uncertain an identified arm's points and lengths are",
+    artcal::Command{"uncertainty", "measurement uncertainty of an identified arm: points, lengths, volume",
                     artcal::set_up_uncertainty},
-    artcal::Command{"verify", "judge an arm by a standard", artcal::set_up_verify},
-    artcal::Command{"points", "readings to coordinates", artcal::set_up_points},
-    artcal::Command{"plan", "where to put an artefact next, and what to read there", artcal::set_up_plan},
-    artcal::Command{"simulate", "a recording from a virtual arm, and the truth beside it", artcal::set_up_simulate},
+    artcal::Command{"verify", "verify an arm: ISO 10360-12, ASME B89.4.22, sphere plate", artcal::set_up_verify},
+    artcal::Command{"points", "coordinates from joint angles", artcal::set_up_points},
+    artcal::Command{"plan", "propose placements and postures of the next readings", artcal::set_up_plan},
+    artcal::Command{"simulate", "a recording made by a virtual arm, with its true values", artcal::set_up_simulate},
     artcal::Command{"report", "report of results (HTML, prints on A4)", artcal::set_up_report},
-    artcal::Command{"batch", "many recordings at once, their results into a store", artcal::set_up_batch},
-    artcal::Command{"history", "how an arm changed over time, what rests on a certificate", artcal::set_up_history},
-    artcal::Command{"store", "merge stores, print one", artcal::set_up_store},
+    artcal::Command{"batch", "identify and verify many recordings, results into a store", artcal::set_up_batch},
+    artcal::Command{"history", "changes of an arm over time; results that rest on a certificate",
+                    artcal::set_up_history},
+    artcal::Command{"store", "merge or print stores", artcal::set_up_store},
 };
 
 constexpr int wrong_usage = 2;
