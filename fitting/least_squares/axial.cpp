@@ -59,18 +59,40 @@ bool is_same(const Cone& a, const Cone& b) {
          std::abs(a.half_angle - sense * b.half_angle) < alike;
 }
 
-// In the direction v of parameters that the points tell least, ∂d/∂v has to differ from zero by more than the points'
-// noise makes of it: about one ring of points, or a ring and the apex, an opening is nothing but noise, and a slope
-// through it looks determined.
+// Without the points so near the axis that noise turns their derivative round, as at a cone's apex: they say nothing of
+// whether the others determine the surface.
+Cloud off_the_axis(Cloud cloud, const Cone& cone, double noise) {
+  const double near = std::max(5.0 * noise, 1e-6);
+  const Eigen::Matrix3Xd from_axis = cloud.points.colwise() - cone.point;
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < cloud.size(); ++i) {
+    if (from_axis.col(i).cross(cone.direction).norm() > near) {
+      cloud.points.col(kept) = cloud.points.col(i);
+      if (cloud.root_weights.size() > 0) {
+        cloud.root_weights(kept) = cloud.root_weights(i);
+      }
+      ++kept;
+    }
+  }
+  cloud.points.conservativeResize(Eigen::NoChange, kept);
+  if (cloud.root_weights.size() > 0) {
+    cloud.root_weights.conservativeResize(kept);
+  }
+  return cloud;
+}
+
+// In the direction v of parameters that the points determine least, ∂d/∂v has to differ from zero by more than the
+// points' noise makes of it: about one ring of points, or a ring and the apex, an opening is nothing but noise, and a
+// slope through it looks determined.
 template <typename Model>
-bool is_told_by_noise(const Model& model, const Solution<RoundState, Model::size>& solution, double noise) {
+bool is_determined_by_noise(const Model& model, const Solution<RoundState, Model::size>& solution, double noise) {
   constexpr double sure = 3.0;
   constexpr int n = Model::size;
   const Eigen::Matrix<double, n, 1> length = solution.triangle.colwise().norm();
   const SmallSvd svd = small_svd(solution.triangle * length.cwiseInverse().asDiagonal());
   const Eigen::Matrix<double, n, 1> weakest =
       length.cwiseInverse().asDiagonal() * Eigen::Matrix<double, n, 1>(svd.right_vectors.col(n - 1));
-  const Cloud few = thinned(model.cloud, start_points);
+  const Cloud few = off_the_axis(thinned(model.cloud, start_points), cone_of(solution.state), noise);
   const auto derivatives = [&](const Eigen::Vector3d& shift) {
     Cloud shifted = few;
     shifted.points.colwise() += shift;
@@ -80,9 +102,9 @@ bool is_told_by_noise(const Model& model, const Solution<RoundState, Model::size
     });
     return values;
   };
-  double told = 0.0;
+  double by_points = 0.0;
   for (const double value : derivatives(Eigen::Vector3d::Zero())) {
-    told += value * value;
+    by_points += value * value;
   }
   double by_noise = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -92,7 +114,7 @@ bool is_told_by_noise(const Model& model, const Solution<RoundState, Model::size
       by_noise += 0.25 * (plus[i] - minus[i]) * (plus[i] - minus[i]);
     }
   }
-  return told < sure * sure * by_noise;
+  return by_points < sure * sure * by_noise;
 }
 
 // The deepest of the valleys that the starts lead into, followed to the bottom on all the points.
@@ -170,7 +192,7 @@ Expected<Estimate<Cylinder>> least_squares_cylinder(const Cloud& cloud, const Fi
   auto [estimate, unit] =
       estimate_of(AxialModel<false>{cloud}, solution, static_cast<int>(cloud.size()), options, cylinder_of);
   const double noise = noise_or_rounding(cloud, estimate.noise);
-  if (!unit || is_told_by_noise(AxialModel<false>{cloud}, solution, noise)) {
+  if (!unit || is_determined_by_noise(AxialModel<false>{cloud}, solution, noise)) {
     return no_solution(undetermined("cylinder", cloud, noise, estimate.feature.radius));
   }
   if (!is_alone) {
@@ -192,7 +214,7 @@ Expected<Estimate<Cone>> least_squares_cone(const Cloud& cloud, const FitOptions
   auto [estimate, unit] =
       estimate_of(AxialModel<true>{cloud}, solution, static_cast<int>(cloud.size()), options, feature_of);
   const double noise = noise_or_rounding(cloud, estimate.noise);
-  if (!unit || is_told_by_noise(AxialModel<true>{cloud}, solution, noise)) {
+  if (!unit || is_determined_by_noise(AxialModel<true>{cloud}, solution, noise)) {
     return no_solution(undetermined("cone", cloud, noise, estimate.feature.radius));
   }
   if (!is_alone) {

@@ -205,16 +205,17 @@ TEST(AxialFit, ConesOfFewRings) {
   }
 }
 
-// The distance to a cone has a kink at its apex. What converges is right; other fits are refused or marked.
+// The distance to a cone has a kink at its apex: touches there, however many, hide nothing that the others show.
+// Steps may go on in the last digits, and the status says so.
 TEST(AxialFit, ConesTouchedAtTheirApex) {
-  for (const double half_angle : {0.05, 0.3, 0.785, 1.2}) {
-    for (const int apexes : {1, 5}) {
+  for (const double half_angle : {0.05, 0.3, 0.785, 1.2, 1.4}) {
+    for (const int apexes : {1, 5, 20}) {
       for (const double noise : {0.0, 0.005}) {
         for (std::uint64_t index = 0; index < 6; ++index) {
-          const auto fitted = fit<Cone>(rings({10.0, 20.0, 30.0}, 8, half_angle, apexes, noise, index));
-          if (fitted && fitted->status == FitStatus::Converged) {
-            EXPECT_NEAR(fitted->feature.half_angle, half_angle, noise == 0.0 ? 1e-9 : 0.01) << noise;
-          }
+          SCOPED_TRACE(testing::Message() << half_angle << " rad, " << apexes << " at the apex, noise " << noise);
+          const auto fitted = fit<Cone>(rings({10.0, 20.0, 30.0}, 12, half_angle, apexes, noise, index));
+          ASSERT_TRUE(fitted) << fitted.error().text();
+          EXPECT_NEAR(fitted->feature.half_angle, half_angle, noise == 0.0 ? 1e-8 : 0.01);
         }
       }
     }
