@@ -15,7 +15,7 @@ constexpr double lower = 1e-9;
 
 bool is_faint(const UnknownGroup& group) { return group.line && group.turn == PoseTurn::Free; }
 
-// Takes over the poses of `settled` that fit better. True if there was one.
+// Takes over the poses of `estimated` that fit better. True if there was one.
 bool correct_turns(const System& system, const Weights& weights, Loss loss, const Arm& arm, const Unknowns& estimated,
                    Unknowns& unknowns) {
   const Constraints& constraints = *system.constraints;

@@ -16,7 +16,7 @@ namespace artcal {
 namespace {
 
 constexpr int max_rounds = 20;
-constexpr double noise_tolerance = 1e-4;     // relative change at which the noise has settled
+constexpr double noise_tolerance = 1e-4;     // relative change at which the noise has converged
 constexpr double good_for_the_noise = 1e-4;  // mm a step moves; the rounds that follow go on from there
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
 constexpr double least_noise = 1e-9;   // mm

@@ -1,4 +1,5 @@
 #include "artefacts/verification/b89_4_22/b89_4_22.h"
+#include "artefacts/verification/decision/conclusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/verification/decision/conditions.h"
-#include "artefacts/verification/decision/plausibility_of_test.h"
-#include "artefacts/verification/decision/traceability.h"
 #include "artefacts/verification/iso10360_12/length_tests.h"
 #include "artefacts/verification/iso10360_12/sphere_tests.h"
 #include "artefacts/verification/measured.h"
@@ -167,11 +165,7 @@ Expected<B89Verification> verify_b89_4_22(const Session& session) {
   add_point_uncertainties(session, verification);
   result.volumetric = volumetric_summary(verification);
   check_plan(session, result);
-  check_plausibility(session, verification);
-  check_traceability(session, verification);
-  check_conditions(session, verification);
-  add_place_warnings(verification);
-  verification.conclusion = conclude(verification);
+  check_and_conclude(session, verification);
   return result;
 }
 

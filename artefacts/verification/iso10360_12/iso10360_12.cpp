@@ -6,10 +6,8 @@
 #include <fmt/format.h>
 
 #include "artefacts/verification/decision/completeness.h"
-#include "artefacts/verification/decision/conditions.h"
+#include "artefacts/verification/decision/conclusion.h"
 #include "artefacts/verification/decision/outlier_rule.h"
-#include "artefacts/verification/decision/plausibility_of_test.h"
-#include "artefacts/verification/decision/traceability.h"
 #include "artefacts/verification/iso10360_12/face_tests.h"
 #include "artefacts/verification/iso10360_12/length_tests.h"
 #include "artefacts/verification/iso10360_12/sphere_tests.h"
@@ -63,11 +61,7 @@ Expected<Verification> verify_iso10360_12(const Session& session) {
   check_sphere_plan(session, verification);
   check_length_plan(session, verification);
   check_limits(session, verification);
-  check_plausibility(session, verification);
-  check_traceability(session, verification);
-  check_conditions(session, verification);
-  add_place_warnings(verification);
-  verification.conclusion = conclude(verification);
+  check_and_conclude(session, verification);
   return verification;
 }
 

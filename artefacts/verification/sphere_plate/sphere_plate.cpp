@@ -1,4 +1,5 @@
 #include "artefacts/verification/sphere_plate/sphere_plate.h"
+#include "artefacts/verification/decision/conclusion.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/verification/decision/conditions.h"
-#include "artefacts/verification/decision/plausibility_of_test.h"
-#include "artefacts/verification/decision/traceability.h"
 #include "artefacts/verification/iso10360_12/length_tests.h"
 #include "artefacts/verification/measured.h"
 #include "artefacts/verification/point_uncertainty.h"
@@ -303,11 +301,7 @@ Expected<PlateVerification> verify_sphere_plate(const Session& session) {
   add_length_tests(session, Quantity::LengthUni, verification);
   add_point_uncertainties(session, verification);
   judge_no_misnamed(result.placements, verification);
-  check_plausibility(session, verification);
-  check_traceability(session, verification);
-  check_conditions(session, verification);
-  add_place_warnings(verification);
-  verification.conclusion = conclude(verification);
+  check_and_conclude(session, verification);
   return result;
 }
 
