@@ -124,13 +124,12 @@ TestValue read_value(StoreReader& reader, const StoreRow& row) {
 
 std::vector<TestValue> read_values(StoreReader& reader, const std::string& recording) {
   std::vector<TestValue> values;
-  for (const StoreRow& row : reader.rows(
-           "SELECT quantity, artefact, placement, feature, other_feature, repetition, certified_mm, measured_mm, "
-           "value_mm, "
-           "u_calibration_mm, u_expansion_mm, u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, u_points_mm, "
-           "set_aside, limit_mm, verdict, degrees_of_freedom "
-           "FROM verification_values WHERE recording = :v0 ORDER BY position",
-           {recording})) {
+  for (const StoreRow& row : reader.rows("SELECT quantity, artefact, placement, feature, other_feature, repetition, "
+                                         "certified_mm, measured_mm, value_mm, u_calibration_mm, u_expansion_mm, "
+                                         "u_temperature_mm, u_alignment_mm, u_fixture_mm, u_form_mm, u_points_mm, "
+                                         "set_aside, limit_mm, verdict, degrees_of_freedom "
+                                         "FROM verification_values WHERE recording = :v0 ORDER BY position",
+                                         {recording})) {
     values.push_back(read_value(reader, row));
   }
   return values;

@@ -195,8 +195,8 @@ std::string to_text(const ArmHistory& history, bool all) {
   if (any_in_common(history.calibration_steps)) {
     text +=
         "\nThe uncertainty of an artefact that two calibrations have in common mostly cancels in a change of "
-        "parameters; "
-        "here\nit is counted twice, so that the u of changes are rather too large: what is called significant is.\n";
+        "parameters; here\nit is counted twice, so that the u of changes are rather too large: what is called "
+        "significant is.\n";
   }
   if (any_in_common(history.verification_steps)) {
     text +=

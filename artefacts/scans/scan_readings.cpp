@@ -75,9 +75,8 @@ std::string not_clear(const BallRegion& region, const std::string& name) {
   const auto in_band = region.points.size() + static_cast<std::size_t>(region.beside_foreign);
   return fmt::format(
       "where the ball {} ends is not determined, nor its size and form: of {} points within {:.3g} mm of it {} lie "
-      "beside "
-      "points that are no part of it, and of the others {} are more than {:.3g} mm off; was it scanned too roughly for "
-      "its size, or with another arm or probe?",
+      "beside points that are no part of it, and of the others {} are more than {:.3g} mm off; was it scanned too "
+      "roughly for its size, or with another arm or probe?",
       in_quotes(name), in_band, region.band, region.beside_foreign, region.far_off, 0.5 * region.band);
 }
 

@@ -42,9 +42,8 @@ std::string scan_refusal(const Segmentation& found, const ArtefactInScan& wanted
     case SegmentStatus::Ambiguous:
       return fmt::format(
           "the certified distances fit the spheres in {}{} ways, so that which is which is not determined: say where "
-          "one is "
-          "with place = [{{ sphere = {}, at = [x, y, z] }}], or lower tolerance (now {:.3g} mm); spheres stand at {} "
-          "mm in the arm's base frame",
+          "one is with place = [{{ sphere = {}, at = [x, y, z] }}], or lower tolerance (now {:.3g} mm); spheres stand "
+          "at {} mm in the arm's base frame",
           found.matching.there_are_more ? "more than " : "", found.matching.ways.size(), in_quotes(first),
           found.tolerance, centres_of(found));
     case SegmentStatus::NotThere:

@@ -144,8 +144,7 @@ std::optional<std::string> grossly_different_length(const Evaluation& evaluation
       largest = difference;
       text = fmt::format(
           "the certified distance of {} and {} of artefact {} is {:.6g} mm, but the nominal arm reads {:.5g} mm "
-          "between "
-          "them (are these positions, steps and units those of the certificate?)",
+          "between them (are these positions, steps and units those of the certificate?)",
           in_quotes(measured.first->first.feature), in_quotes(measured.first->second),
           in_quotes(measured.first->first.artefact), certified, as_read);
     }

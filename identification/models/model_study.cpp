@@ -39,8 +39,7 @@ std::string warning_of(const ModelStudy& study) {
                ? ""
                : "the residuals are more than noise, and none of the effects that they were searched for explains them "
                  "with values that a working joint can have: some other error, of the readings, an artefact or the "
-                 "arm, "
-                 "is in them";
+                 "arm, is in them";
   }
   std::string named;
   for (std::size_t i = 0; i < study.findings.size() && i < max_named; ++i) {

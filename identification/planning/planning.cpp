@@ -249,8 +249,7 @@ Expected<Planning> plan_session(const Simulation& possible, const Constraints& c
   if (coupling->scale == ScaleState::Unidentifiable) {
     return no_solution(
         "no calibrated length is in what could be read, so that no choice determines the scale of the arm; plan with a "
-        "ball "
-        "bar, a plate, or anything else with certified distances");
+        "ball bar, a plate, or anything else with certified distances");
   }
   const auto free = free_parameters(*selection, *coupling);
   if (!free) {

@@ -351,8 +351,7 @@ void enlarge_for_unmodelled_errors(const CrossValidation& found, Identification&
   result.warnings.push_back(fmt::format(
       "unmodelled error: in {} placements left out, the arm identified without them is off by {:.2g} times its "
       "standard uncertainty (rms){}; the covariance and all standard uncertainties of this arm, its points and its "
-      "lengths are "
-      "enlarged by {:.2f} to what these placements show",
+      "lengths are enlarged by {:.2f} to what these placements show",
       found.placements, found.ratio,
       found.point_error > 0.0
           ? fmt::format(", and readings by {:.2g} mm a coordinate beyond the known noise", found.point_error)

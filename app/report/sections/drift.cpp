@@ -219,16 +219,14 @@ void write_parameters(const Results& results, Sheet& sheet) {
   if (!found.not_comparable.empty()) {
     sheet.note(
         fmt::format("Their parameters cannot be compared one by one: {}. Identify all from the same nominal arm with "
-                    "the same --hold "
-                    "and --free.",
+                    "the same --hold and --free.",
                     found.not_comparable));
     return;
   }
   if (!found.moved.empty()) {
     sheet.note(
         fmt::format("{} was fixed at different values, and no reading sees the difference: the parameters of all "
-                    "results are stated "
-                    "as they are where it has the value of the first.",
+                    "results are stated as they are where it has the value of the first.",
                     fmt::join(found.moved, ", ")));
   }
   const std::vector<Track>& tracks = found.all;

@@ -161,9 +161,7 @@ std::string refusal_text(const SegmentResult& result) {
     case SegmentStatus::Ambiguous:
       return fmt::format(
           "the certified distances fit in {}{} ways, so that which sphere is which is not determined: {}. Say where "
-          "spheres "
-          "are, such "
-          "as --place {}=x,y,z in {}, or lower --tolerance (now {:.3g} mm)",
+          "spheres are, such as --place {}=x,y,z in {}, or lower --tolerance (now {:.3g} mm)",
           s.matching.there_are_more ? "more than " : "", s.matching.ways.size(), ways_text(result),
           in_quotes(sphere_name(result, 0)), result.unit, s.tolerance);
     case SegmentStatus::NotThere:

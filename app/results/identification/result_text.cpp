@@ -78,8 +78,7 @@ std::string summary_text(const Identification& result) {
     text +=
         result.left_out_chose_the_model
             ? "  cross-val.: each placement evaluated with an arm identified without it. These placements also chose "
-              "the "
-              "model:\n  new readings may deviate by more\n"
+              "the model:\n  new readings may deviate by more\n"
             : "  cross-val.: each placement evaluated with an arm identified without it; expect this of new readings\n";
   } else if (result.after.placements.size() < 2) {
     text +=

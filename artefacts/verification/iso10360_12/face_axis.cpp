@@ -173,8 +173,7 @@ Expected<FaceAxis> face_axis(const Session& session, const Artefact& artefact, c
   }
   return no_solution(
       "the readings of each face are single points or lie on one line, so that its direction is not determined; read a "
-      "face "
-      "in three or more points, or two sides whose normals are certified, in the same placement");
+      "face in three or more points, or two sides whose normals are certified, in the same placement");
 }
 
 }  // namespace artcal
