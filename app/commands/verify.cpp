@@ -132,7 +132,7 @@ Run set_up_verify(CLI::App& parser) {
   request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
-      "The exit code is 0 where conformity is shown (with --against: where no drift is) and 1 where it is not.\n"
+      "The exit code is 0 where conformity is proven (with --against: where no drift is) and 1 where it is not.\n"
       "Example:\n  artcal verify examples/iso10360-12/recording.toml --standard iso10360-12");
   return [request] {
     const auto done = verify_and_tell(*request);

@@ -43,7 +43,7 @@ struct Calibration {
 struct PastVerification {
   HistoryEntry entry;
   std::string standard;
-  Conclusion conclusion = Conclusion::NotShown;
+  Conclusion conclusion = Conclusion::ConformityNotShown;
   std::vector<TestValue> values;  ///< with what compare() asks for
 };
 

@@ -65,11 +65,11 @@ void write_verification_verdict(const ArmHistory& history, std::size_t index, Sh
   const VerificationStep* overall = step_to(history.verifications_overall, index);
   const bool changed =
       (last != nullptr && last->significant() > 0) || (overall != nullptr && overall->significant() > 0);
-  const char* sign = past.conclusion == Conclusion::NonConformityShown ? "✗"
-                     : past.conclusion == Conclusion::ConformityShown  ? "✓"
+  const char* sign = past.conclusion == Conclusion::NonConformityProven ? "✗"
+                     : past.conclusion == Conclusion::ConformityProven  ? "✓"
                                                                        : "–";
-  sheet.verdict(past.conclusion == Conclusion::NonConformityShown            ? Mood::Bad
-                : past.conclusion == Conclusion::ConformityShown && !changed ? Mood::Good
+  sheet.verdict(past.conclusion == Conclusion::NonConformityProven            ? Mood::Bad
+                : past.conclusion == Conclusion::ConformityProven && !changed ? Mood::Good
                                                                              : Mood::Unsure,
                 fmt::format("{} {}, {}: {}", sign, standard_in_words(past.standard), date_of(past.entry),
                             text_of(past.conclusion)),

@@ -165,8 +165,8 @@ Figure scene_of_verification(const Json& verification) {
   return {"Where the arm was tested",
           fmt::format(
               "Squares: the features of the artefacts where they were measured, joined by lines where an artefact has "
-              "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conforms; crosses: does "
-              "not conform; diamonds: nothing proven; open circles: not judged.{} Drag to turn.",
+              "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conformity proven; crosses: "
+              "non-conformity proven; diamonds: neither proven; open circles: not judged.{} Drag to turn.",
               verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
           {{"kind", "places"},
            {"arm", arm_of(verification)},

@@ -4,9 +4,9 @@ namespace artcal {
 
 const char* result_name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::Conforms: return "conforms";
-    case Verdict::DoesNotConform: return "does_not_conform";
-    case Verdict::NothingProven: return "nothing_proven";
+    case Verdict::ConformityProven: return "conforms";
+    case Verdict::NonConformityProven: return "does_not_conform";
+    case Verdict::NeitherProven: return "nothing_proven";
     case Verdict::NotJudged: break;
   }
   return "not_judged";
@@ -14,9 +14,9 @@ const char* result_name(Verdict verdict) {
 
 const char* result_name(Conclusion conclusion) {
   switch (conclusion) {
-    case Conclusion::ConformityShown: return "conformity_shown";
-    case Conclusion::NonConformityShown: return "non_conformity_shown";
-    case Conclusion::NotShown: break;
+    case Conclusion::ConformityProven: return "conformity_shown";
+    case Conclusion::NonConformityProven: return "non_conformity_shown";
+    case Conclusion::ConformityNotShown: break;
   }
   return "not_shown";
 }
@@ -32,7 +32,7 @@ const char* result_name(ParameterState state) {
 }
 
 Verdict verdict_named(std::string_view word) {
-  for (const Verdict verdict : {Verdict::Conforms, Verdict::DoesNotConform, Verdict::NothingProven}) {
+  for (const Verdict verdict : {Verdict::ConformityProven, Verdict::NonConformityProven, Verdict::NeitherProven}) {
     if (word == result_name(verdict)) {
       return verdict;
     }
@@ -41,12 +41,12 @@ Verdict verdict_named(std::string_view word) {
 }
 
 Conclusion conclusion_named(std::string_view word) {
-  for (const Conclusion conclusion : {Conclusion::ConformityShown, Conclusion::NonConformityShown}) {
+  for (const Conclusion conclusion : {Conclusion::ConformityProven, Conclusion::NonConformityProven}) {
     if (word == result_name(conclusion)) {
       return conclusion;
     }
   }
-  return Conclusion::NotShown;
+  return Conclusion::ConformityNotShown;
 }
 
 }  // namespace artcal

@@ -31,12 +31,12 @@ void judge(TestValue& value, const Specification& specification) {
 Conclusion conclude(const Verification& verification) {
   bool all_conform = verification.missing.empty() && !verification.values.empty();
   for (const TestValue& value : verification.values) {
-    if (!value.set_aside && value.verdict == Verdict::DoesNotConform) {
-      return Conclusion::NonConformityShown;
+    if (!value.set_aside && value.verdict == Verdict::NonConformityProven) {
+      return Conclusion::NonConformityProven;
     }
-    all_conform = all_conform && (value.set_aside || value.verdict == Verdict::Conforms);
+    all_conform = all_conform && (value.set_aside || value.verdict == Verdict::ConformityProven);
   }
-  return all_conform ? Conclusion::ConformityShown : Conclusion::NotShown;
+  return all_conform ? Conclusion::ConformityProven : Conclusion::ConformityNotShown;
 }
 
 double severity(const TestValue& value) { return std::abs(value.value) / value.limit.value_or(1.0); }
@@ -53,9 +53,9 @@ const TestValue* worst_of(const Verification& verification, Quantity quantity) {
 
 const char* text_of(Conclusion conclusion) {
   switch (conclusion) {
-    case Conclusion::ConformityShown: return "conformity shown";
-    case Conclusion::NonConformityShown: return "non-conformity shown";
-    case Conclusion::NotShown: break;
+    case Conclusion::ConformityProven: return "conformity proven";
+    case Conclusion::NonConformityProven: return "non-conformity proven";
+    case Conclusion::ConformityNotShown: break;
   }
   return "conformity not shown";
 }

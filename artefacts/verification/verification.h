@@ -34,9 +34,9 @@ struct TestValue {
 };
 
 enum class Conclusion {
-  ConformityShown,     ///< everything that is asked for is there, and all of it conforms
-  NonConformityShown,  ///< at least one value does not conform
-  NotShown,            ///< neither: see the verdicts and what is missing
+  ConformityProven,     ///< everything that is asked for is there, and the conformity of all of it is proven
+  NonConformityProven,  ///< that of at least one value
+  ConformityNotShown,   ///< neither: see the verdicts and what is missing
 };
 
 /// An arm verified.
@@ -48,7 +48,7 @@ struct Verification {
   std::vector<std::string> missing;   ///< what stands in the way of conformity beside the values
   std::vector<std::string> waived;    ///< what would stand there, but the specification waives it
   std::vector<std::string> warnings;  ///< what looks wrong but may be right
-  Conclusion conclusion = Conclusion::NotShown;
+  Conclusion conclusion = Conclusion::ConformityNotShown;
 
   [[nodiscard]] PointScatter& scatter(PointKind kind) { return scatters[static_cast<std::size_t>(kind)]; }
 };

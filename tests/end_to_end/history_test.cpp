@@ -104,7 +104,7 @@ TEST_F(History, EveryErrorIsThereOverTimeWithItsUncertainty) {
   const testing::Opened opened = open("history.html");
   EXPECT_THAT(opened.complaints, ::testing::IsEmpty());
   EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"all\""));
-  EXPECT_THAT(opened.document, HasSubstr("✗ ISO 10360-12:2016, 2026-09-01: non-conformity shown"));
+  EXPECT_THAT(opened.document, HasSubstr("✗ ISO 10360-12:2016, 2026-09-01: non-conformity proven"));
   EXPECT_EQ(count_of(opened.document, "role=\"img\" aria-label=\""), 5) << "the worst, and each of four quantities";
   EXPECT_THAT(opened.document, HasSubstr("E_Uni over time"));
 }

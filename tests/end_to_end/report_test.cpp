@@ -131,8 +131,8 @@ TEST_F(Report, OfAVerificationShowsVerdictAndValues) {
                            "result.json", "--report", "report.html", "--quiet"});
   EXPECT_EQ(ended.exit_code, 1) << ended.err;
   const std::string page = text_of("report.html");
-  EXPECT_THAT(page, HasSubstr("Non-conformity shown"));
-  EXPECT_THAT(page, HasSubstr("600 values, 566 conform, 4 do not, 30 prove nothing either way."));
+  EXPECT_THAT(page, HasSubstr("Non-conformity proven"));
+  EXPECT_THAT(page, HasSubstr("600 values, conformity proven of 566, non-conformity of 4, neither of 30."));
   EXPECT_EQ(count(page, "outlier</td>"), 2u);  // the ball that is 10 um off, in both placements
   for (const Json& value : Json::parse(text_of("result.json"))["values"]) {
     if (value["verdict"] == "does_not_conform") {

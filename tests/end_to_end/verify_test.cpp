@@ -190,8 +190,8 @@ TEST_F(Verify, ABumpedArmIsFound) {
   const Ended ended = run(
       {"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12", "--arm", "iso10360-12/bumped-arm.toml"});
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_THAT(ended.out, HasSubstr("NON-CONFORMITY SHOWN"));
-  EXPECT_THAT(ended.out, HasSubstr("does not conform"));
+  EXPECT_THAT(ended.out, HasSubstr("NON-CONFORMITY PROVEN"));
+  EXPECT_THAT(ended.out, HasSubstr("non-conformity proven"));
 }
 
 TEST_F(Verify, AFailedTestEndsWithItsVerdict) {
@@ -204,8 +204,8 @@ TEST_F(Verify, AFailedTestEndsWithItsVerdict) {
     }
     const std::string out = run(command).out;
     const std::size_t last = out.rfind('\n', out.size() - 2) + 1;
-    EXPECT_THAT(out.substr(last), ::testing::MatchesRegex("ISO 10360-12:2016: NON-CONFORMITY SHOWN "
-                                                          "\\([0-9]+ of 111 values do not conform[^\n]*\\)\n"));
+    EXPECT_THAT(out.substr(last), ::testing::MatchesRegex("ISO 10360-12:2016: NON-CONFORMITY PROVEN "
+                                                          "\\(non-conformity in [0-9]+ of 111 values[^\n]*\\)\n"));
   }
   EXPECT_THAT(run({"verify", "iso10360-12/recording.toml", "--standard", "iso10360-12"}).out,
               HasSubstr("octants are counted about the shoulder"));
@@ -238,9 +238,9 @@ TEST_F(Verify, ThePrintedLengthsAreTheWorstDozenAndWhateverDoesNotConform) {
   EXPECT_THAT(good.out.substr(good.out.rfind("certified, mm")), HasSubstr(fmt::format("{:.1f}", 1000.0 * worst)));
   take("ball-bar");
   const Ended nominal = with({"--arm", "ball-bar/arm.toml"});
-  const int all_bad = lines(with({"--arm", "ball-bar/arm.toml", "--all"}).out, "does not conform");
+  const int all_bad = lines(with({"--arm", "ball-bar/arm.toml", "--all"}).out, "non-conformity proven");
   EXPECT_GT(all_bad, 12);
-  EXPECT_EQ(lines(nominal.out, "does not conform"), all_bad);
+  EXPECT_EQ(lines(nominal.out, "non-conformity proven"), all_bad);
 }
 
 TEST_F(Verify, ThePlantedBallOfTheSpherePlateIsNamed) {

@@ -148,9 +148,9 @@ std::vector<ValuesOfQuantity> by_quantity(const Json& values) {
 std::string verdict_in_words(const Json& value) {
   const std::string verdict = value.at("verdict");
   return value.at("set_aside").get<bool>() ? "set aside"
-         : verdict == "conforms"           ? "✓ conforms"
-         : verdict == "does_not_conform"   ? "✗ does not conform"
-         : verdict == "nothing_proven"     ? "? nothing proven"
+         : verdict == "conforms"           ? "✓\u00a0conformity proven"
+         : verdict == "does_not_conform"   ? "✗\u00a0non\u2011conformity proven"
+         : verdict == "nothing_proven"     ? "? neither proven"
                                            : "not judged";
 }
 
@@ -217,7 +217,7 @@ void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, S
        fmt::format("Measured less certified, {}; the largest is {} µm{}. {}{}", plural(count, "value"),
                    micrometres(largest), where_limits_differ(lengths),
                    bands.empty() ? "No limit is stated."
-                                 : "Dashed lines: the limits (MPE); crosses do not conform, diamonds prove nothing.",
+                                 : "Dashed lines: the limits (MPE); crosses: non-conformity proven; diamonds: neither proven.",
                    drawn_count == count ? "" : fmt::format(" {} are drawn.", drawn_count)),
        {{"kind", "lengths"}, {"unit", unit.name}, {"series", series}, {"bands", bands}}});
 }

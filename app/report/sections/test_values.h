@@ -25,8 +25,8 @@ std::string share_in_words(const nlohmann::ordered_json& value);
 /// Refers to `values`, which must stay. Throws std::exception where the JSON is not as the schema says.
 std::vector<ValuesOfQuantity> by_quantity(const nlohmann::ordered_json& values);
 
-/// With spaces that do not break: "✓ conforms", "✗ does not conform", …; "set aside" where it was measured
-/// again.
+/// With a sign and hyphen that do not break: "✓ conformity proven", "✗ non-conformity proven", …; "set aside" where it
+/// was measured again.
 std::string verdict_in_words(const nlohmann::ordered_json& value);
 
 /// Signed where the value is an error, in micrometres.
@@ -37,7 +37,7 @@ void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& 
 void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet);
 /// What octant and reach mean in write_values().
 void write_places_explained(Sheet& sheet);
-/// Every value; of very many, all that do not conform and those nearest to their limits.
+/// Every value; of very many, all whose non-conformity is proven and those nearest to their limits.
 void write_values(const ValuesOfQuantity& quantity, Sheet& sheet);
 
 }  // namespace artcal

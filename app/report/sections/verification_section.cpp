@@ -40,7 +40,7 @@ void write_verification_verdict(const Json& result, Sheet& sheet) {
   const Json& values = result.at("values");
   const bool good = conclusion == "conformity_shown";
   const bool bad = conclusion == "non_conformity_shown";
-  std::string text = fmt::format("{}: {}, {} conform, {} do not, {} prove nothing either way.",
+  std::string text = fmt::format("{}: {}, conformity proven of {}, non-conformity of {}, neither of {}.",
                                  standard_in_words(text_in(result, "standard")), plural(values.size(), "value"),
                                  count_of(values, "conforms"), count_of(values, "does_not_conform"),
                                  count_of(values, "nothing_proven"));
@@ -53,8 +53,8 @@ void write_verification_verdict(const Json& result, Sheet& sheet) {
   sheet.verdict(good  ? Mood::Good
                 : bad ? Mood::Bad
                       : Mood::Unsure,
-                good  ? "✓ Conformity shown"
-                : bad ? "✗ Non-conformity shown"
+                good  ? "✓ Conformity proven"
+                : bad ? "✗ Non-conformity proven"
                       : "? Conformity not shown",
                 text);
   if (!result.at("interim").is_null()) {
@@ -65,7 +65,7 @@ void write_verification_verdict(const Json& result, Sheet& sheet) {
 void write_verification(const Json& result, Sheet& sheet) {
   write_rules(result, sheet);
   if (!result.at("missing").empty()) {
-    sheet.part("What is missing for conformity");
+    sheet.part("Missing for a proof of conformity");
     sheet.list(texts_in(result.at("missing")));
   }
   // Results of earlier versions do not have it.

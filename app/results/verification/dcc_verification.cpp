@@ -30,9 +30,9 @@ DccEntry length_entry(const std::string& name, double value, double u = 0.0, dou
 
 std::optional<DccConformity> conformity_of(const TestValue& value) {
   switch (value.verdict) {
-    case Verdict::Conforms: return DccConformity::Pass;
-    case Verdict::DoesNotConform: return DccConformity::Fail;
-    case Verdict::NothingProven: return DccConformity::NotShown;
+    case Verdict::ConformityProven: return DccConformity::Pass;
+    case Verdict::NonConformityProven: return DccConformity::Fail;
+    case Verdict::NeitherProven: return DccConformity::NotShown;
     case Verdict::NotJudged: break;
   }
   return std::nullopt;

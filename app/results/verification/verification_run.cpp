@@ -58,9 +58,9 @@ Expected<VerificationResult> run_verification(VerificationMaterial& material, co
 bool is_shown(const VerificationResult& result) {
   if (const auto& interim = result.interim) {
     return interim->any_judged() && !interim->any_significant() &&
-           result.verification.conclusion != Conclusion::NonConformityShown;
+           result.verification.conclusion != Conclusion::NonConformityProven;
   }
-  return result.verification.conclusion == Conclusion::ConformityShown;
+  return result.verification.conclusion == Conclusion::ConformityProven;
 }
 
 }  // namespace artcal

@@ -141,12 +141,12 @@ std::vector<const TestValue*> to_show(const Verification& verification, Quantity
   }
   std::stable_sort(values.begin(), values.end(), [](const TestValue* a, const TestValue* b) {
     const auto rank = [](const TestValue* v) {
-      return std::pair(v->verdict != Verdict::DoesNotConform, -severity(*v));
+      return std::pair(v->verdict != Verdict::NonConformityProven, -severity(*v));
     };
     return rank(a) < rank(b);
   });
   const auto not_conforming = static_cast<std::size_t>(std::count_if(
-      values.begin(), values.end(), [](const TestValue* v) { return v->verdict == Verdict::DoesNotConform; }));
+      values.begin(), values.end(), [](const TestValue* v) { return v->verdict == Verdict::NonConformityProven; }));
   values.resize(std::max(max_values, not_conforming));
   return values;
 }
@@ -260,10 +260,10 @@ std::string closing_text(const VerificationResult& result) {
   const Verification& verification = result.verification;
   const std::string interim = result.interim ? fmt::format("Interim check: {}\n", interim_answer(*result.interim)) : "";
   const auto failed = std::count_if(verification.values.begin(), verification.values.end(), [](const TestValue& value) {
-    return value.verdict == Verdict::DoesNotConform && !value.set_aside;
+    return value.verdict == Verdict::NonConformityProven && !value.set_aside;
   });
   return fmt::format(
-      "\n{}{}: {} ({} of {} values do not conform{})\n", interim, standard_in_words(verification.standard),
+      "\n{}{}: {} (non-conformity in {} of {} values{})\n", interim, standard_in_words(verification.standard),
       answer(verification), failed, verification.values.size(),
       verification.missing.empty() ? "" : fmt::format("; {} missing, listed above", verification.missing.size()));
 }

@@ -21,9 +21,9 @@ Verdict decide(double value, double limit, double u, DecisionRule rule, double d
   assert(limit >= 0.0 && u >= 0.0);
   const double guard = guard_band(rule, u, degrees_of_freedom);
   const double size = std::abs(value);
-  return size <= limit - guard  ? Verdict::Conforms
-         : size > limit + guard ? Verdict::DoesNotConform
-                                : Verdict::NothingProven;
+  return size <= limit - guard  ? Verdict::ConformityProven
+         : size > limit + guard ? Verdict::NonConformityProven
+                                : Verdict::NeitherProven;
 }
 
 const char* text_of(DecisionRule rule) {
@@ -37,9 +37,9 @@ const char* text_of(DecisionRule rule) {
 
 const char* text_of(Verdict verdict) {
   switch (verdict) {
-    case Verdict::Conforms: return "conforms";
-    case Verdict::DoesNotConform: return "does not conform";
-    case Verdict::NothingProven: return "neither proven";
+    case Verdict::ConformityProven: return "conformity proven";
+    case Verdict::NonConformityProven: return "non-conformity proven";
+    case Verdict::NeitherProven: return "neither proven";
     case Verdict::NotJudged: break;
   }
   return "not judged";

@@ -12,11 +12,12 @@ enum class DecisionRule {
   Simple,         ///< g = 0: whoever signs bears the risk
 };
 
+/// The terms of ISO 14253-1.
 enum class Verdict {
-  Conforms,        ///< |E| ≤ MPE − g
-  DoesNotConform,  ///< |E| > MPE + g
-  NothingProven,   ///< in between
-  NotJudged,       ///< no limit is stated
+  ConformityProven,     ///< |E| ≤ MPE − g
+  NonConformityProven,  ///< |E| > MPE + g
+  NeitherProven,        ///< in between
+  NotJudged,            ///< no limit is stated
 };
 
 /// g, mm, for a standard uncertainty u ≥ 0 of the test value. With few degrees of freedom Student's factor of the same

@@ -12,7 +12,7 @@ namespace {
 
 using Set = std::vector<TestValue*>;
 
-bool conforms(const TestValue& value) { return value.verdict == Verdict::Conforms; }
+bool conforms(const TestValue& value) { return value.verdict == Verdict::ConformityProven; }
 
 // The bad ones among the first `repeats` values, if all that come after them are good and enough.
 Set excusable(const OutlierRule& rule, const Set& set, std::size_t repeats) {

@@ -118,24 +118,24 @@ TEST(PointUncertainty, ASmallPatchShowsNothingUnderAnyRule) {
   Specification by = by_limit(1.0);
   by.rule = DecisionRule::Simple;
   const Verification patch = of_bar(cross(20.0, Eigen::Vector3d::UnitX()), 3, 1e-4, by);
-  EXPECT_EQ(patch.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(patch.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(patch.missing, ::testing::ElementsAre(::testing::AllOf(HasSubstr("[centre_dilution]"), HasSubstr("18."),
                                                                      HasSubstr("the worst of 3 such values"))));
   by.waived = {Evidence::CentreDilution};
-  EXPECT_EQ(of_bar(cross(20.0, Eigen::Vector3d::UnitX()), 3, 1e-4, by).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(of_bar(cross(20.0, Eigen::Vector3d::UnitX()), 3, 1e-4, by).conclusion, Conclusion::ConformityProven);
   by.waived.clear();
-  EXPECT_EQ(of_bar(cross(90.0, Eigen::Vector3d::UnitX()), 3, 1e-4, by).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(of_bar(cross(90.0, Eigen::Vector3d::UnitX()), 3, 1e-4, by).conclusion, Conclusion::ConformityProven);
   // A patch on the side is sound for a length along it: that is where it determines the centres.
-  EXPECT_EQ(of_bar(cross(40.0, Eigen::Vector3d::UnitZ()), 3, 1e-4, by).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(of_bar(cross(40.0, Eigen::Vector3d::UnitZ()), 3, 1e-4, by).conclusion, Conclusion::ConformityProven);
 }
 
 // The guard band follows u: what is proven with good touches is not with poor ones of the same scatter.
 TEST(PointUncertainty, DecidesWithTheVerdict) {
   const double noise = 0.002;
   const Specification by = by_limit(0.025);
-  EXPECT_EQ(of_bar(cross(90.0, Eigen::Vector3d::UnitX()), 20, noise, by).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(of_bar(cross(90.0, Eigen::Vector3d::UnitX()), 20, noise, by).conclusion, Conclusion::ConformityProven);
   const Verification poor = of_bar(cross(40.0, Eigen::Vector3d::UnitX()), 20, noise, by);
-  EXPECT_EQ(poor.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(poor.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(poor.missing, IsEmpty());
   EXPECT_THAT(poor.warnings, Contains(HasSubstr("on so small a part of it")));
 }
@@ -145,7 +145,7 @@ TEST(PointUncertainty, WithoutRedundancyItIsSaid) {
   Directions four = cross(90.0, Eigen::Vector3d::UnitX());
   four.pop_back();
   const Verification result = of_bar(four, 3, 1e-4, by_limit(1.0));
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, Contains(HasSubstr("the scatter of the touches is not known")));
 }
 

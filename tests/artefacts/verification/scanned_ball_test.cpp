@@ -160,7 +160,7 @@ TEST(ScannedBall, LimitsOfSinglePointsAreNotItsOwn) {
   by.limits = {{Quantity::FormError, {0.1, 0.0, {}}}, {Quantity::FormErrorD95, {0.1, 0.0, {}}}};
   const auto result = scanned({}, ScanUse::WholeBalls, "", by);
   ASSERT_TRUE(result) << result.error().text();
-  EXPECT_EQ(worst_of(result->verification, Quantity::FormErrorD95)->verdict, Verdict::Conforms);
+  EXPECT_EQ(worst_of(result->verification, Quantity::FormErrorD95)->verdict, Verdict::ConformityProven);
   EXPECT_EQ(worst_of(result->verification, Quantity::FormError), nullptr);
   EXPECT_THAT(result->verification.missing, Contains(HasSubstr("a scan gives P_Size.Sph.All and P_Form.Sph.D95%")));
 }

@@ -38,9 +38,9 @@ KINDS.scene = (figure) => ({
 
 // Marks in space are letters of a font: 'x' is one that many machines lack.
 const VERDICTS = {
-  conforms: {name: '✓ conforms', symbol: 'circle', color: COLOURS.green, size: 3},
-  does_not_conform: {name: '✗ does not conform', symbol: 'cross', color: COLOURS.red, size: 9},
-  nothing_proven: {name: '? nothing proven', symbol: 'diamond', color: COLOURS.orange, size: 4},
+  conforms: {name: '✓ conformity proven', symbol: 'circle', color: COLOURS.green, size: 3},
+  does_not_conform: {name: '✗ non-conformity proven', symbol: 'cross', color: COLOURS.red, size: 9},
+  nothing_proven: {name: '? neither proven', symbol: 'diamond', color: COLOURS.orange, size: 4},
   not_judged: {name: 'not judged', symbol: 'circle-open', color: COLOURS.grey, size: 4},
 };
 

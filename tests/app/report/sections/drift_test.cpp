@@ -146,7 +146,7 @@ TEST(Drift, OfVerificationsIsThatOfTheirWorstValues) {
   EXPECT_NE(then, std::string::npos) << page;
   EXPECT_NE(now, std::string::npos);
   EXPECT_LT(then, now);
-  EXPECT_THAT(page, HasSubstr("✗\u00a0does\u00a0not\u00a0conform"));
+  EXPECT_THAT(page, HasSubstr("✗\u00a0non\u2011conformity proven"));
   EXPECT_THAT(page_of({verification("2026-01-01", 0.02), verification("2027-01-01", 0.05, true)}),
               HasSubstr(">+1.0</td>"));  // what was measured again does not count
 }

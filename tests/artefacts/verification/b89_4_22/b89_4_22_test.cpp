@@ -90,8 +90,8 @@ TEST(B89, EffectiveDiameterOfThreeRepeats) {
   const B89Verification result = verify_b89_4_22(material.session()).value();
   ASSERT_EQ(result.verification.values.size(), 3u);
   EXPECT_NEAR(result.verification.values[0].value, 0.012, 1e-9);
-  EXPECT_EQ(result.verification.values[0].verdict, Verdict::DoesNotConform);
-  EXPECT_EQ(result.verification.conclusion, Conclusion::NonConformityShown);
+  EXPECT_EQ(result.verification.values[0].verdict, Verdict::NonConformityProven);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::NonConformityProven);
 }
 
 }  // namespace

@@ -40,20 +40,20 @@ TEST(Budget, AddsEveryPart) {
 TEST(Decision, HasThreeZones) {
   constexpr auto rule = DecisionRule::Iso14253_2017;
   constexpr double limit = 0.020, u = 0.002;  // guard band 0.0033
-  EXPECT_EQ(decide(0.0166, limit, u, rule), Verdict::Conforms);
-  EXPECT_EQ(decide(-0.0166, limit, u, rule), Verdict::Conforms);
-  EXPECT_EQ(decide(0.0168, limit, u, rule), Verdict::NothingProven);
-  EXPECT_EQ(decide(-0.0232, limit, u, rule), Verdict::NothingProven);
-  EXPECT_EQ(decide(0.0234, limit, u, rule), Verdict::DoesNotConform);
-  EXPECT_EQ(decide(0.0165, limit, u, DecisionRule::Iso14253_2013), Verdict::NothingProven);
-  EXPECT_EQ(decide(0.0159, limit, u, DecisionRule::Iso14253_2013), Verdict::Conforms);
-  EXPECT_EQ(decide(0.0200, limit, u, DecisionRule::Simple), Verdict::Conforms);
-  EXPECT_EQ(decide(0.0201, limit, u, DecisionRule::Simple), Verdict::DoesNotConform);
+  EXPECT_EQ(decide(0.0166, limit, u, rule), Verdict::ConformityProven);
+  EXPECT_EQ(decide(-0.0166, limit, u, rule), Verdict::ConformityProven);
+  EXPECT_EQ(decide(0.0168, limit, u, rule), Verdict::NeitherProven);
+  EXPECT_EQ(decide(-0.0232, limit, u, rule), Verdict::NeitherProven);
+  EXPECT_EQ(decide(0.0234, limit, u, rule), Verdict::NonConformityProven);
+  EXPECT_EQ(decide(0.0165, limit, u, DecisionRule::Iso14253_2013), Verdict::NeitherProven);
+  EXPECT_EQ(decide(0.0159, limit, u, DecisionRule::Iso14253_2013), Verdict::ConformityProven);
+  EXPECT_EQ(decide(0.0200, limit, u, DecisionRule::Simple), Verdict::ConformityProven);
+  EXPECT_EQ(decide(0.0201, limit, u, DecisionRule::Simple), Verdict::NonConformityProven);
 }
 
 TEST(Decision, NothingConformsInsideTooWideAGuardBand) {
-  EXPECT_EQ(decide(0.0, 0.001, 0.001, DecisionRule::Iso14253_2017), Verdict::NothingProven);
-  EXPECT_EQ(decide(0.0, 0.0, 0.0, DecisionRule::Iso14253_2017), Verdict::Conforms);
+  EXPECT_EQ(decide(0.0, 0.001, 0.001, DecisionRule::Iso14253_2017), Verdict::NeitherProven);
+  EXPECT_EQ(decide(0.0, 0.0, 0.0, DecisionRule::Iso14253_2017), Verdict::ConformityProven);
 }
 
 /// How often a machine with this true error gets each verdict when the test value scatters by u.
@@ -66,8 +66,8 @@ Rates rates_at(double true_error, double limit, double u, DecisionRule rule) {
   Rates rates;
   for (int i = 0; i < count; ++i) {
     const Verdict verdict = decide(true_error + u * random.normal(), limit, u, rule);
-    rates.conforms += verdict == Verdict::Conforms ? 1.0 / count : 0.0;
-    rates.fails += verdict == Verdict::DoesNotConform ? 1.0 / count : 0.0;
+    rates.conforms += verdict == Verdict::ConformityProven ? 1.0 / count : 0.0;
+    rates.fails += verdict == Verdict::NonConformityProven ? 1.0 / count : 0.0;
   }
   return rates;
 }

@@ -34,7 +34,7 @@ Verification verified(const std::function<void(SessionMaterial&)>& change, doubl
 }
 
 TEST(PlausibilityOfTest, NumbersOfOtherUnitsAreNamedAndShowNothing) {
-  EXPECT_EQ(verified([](SessionMaterial&) {}).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(verified([](SessionMaterial&) {}).conclusion, Conclusion::ConformityProven);
   const std::vector<std::pair<std::function<void(SessionMaterial&)>, std::string>> cases{
       {[](SessionMaterial& m) {
          m.specification.limits[Quantity::SizeError] = {7.4, 0.0, {}};
@@ -52,13 +52,13 @@ TEST(PlausibilityOfTest, NumbersOfOtherUnitsAreNamedAndShowNothing) {
       {[](SessionMaterial& m) { m.constraints.artefacts[0].features[0].u_radius = 0.3; }, "the diameter of \"ball\""}};
   for (const auto& [change, words] : cases) {
     const Verification result = verified(change);
-    EXPECT_EQ(result.conclusion, Conclusion::NotShown) << words;
+    EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown) << words;
     EXPECT_THAT(result.missing, ElementsAre(::testing::AllOf(HasSubstr(words), HasSubstr("[plausible_values]"))));
     const Verification waived = verified([&, &change = change](SessionMaterial& material) {
       change(material);
       material.specification.waived = {Evidence::PlausibleValues};
     });
-    EXPECT_EQ(waived.conclusion, Conclusion::ConformityShown) << words;
+    EXPECT_EQ(waived.conclusion, Conclusion::ConformityProven) << words;
   }
 }
 
@@ -71,7 +71,7 @@ TEST(PlausibilityOfTest, ALimitOfNanometresIsNamed) {
 
 TEST(PlausibilityOfTest, ReadingsInFahrenheitAreNamed) {
   const Verification result = verified([](SessionMaterial&) {}, 68.7);
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, Contains(HasSubstr("68.70 degC (degrees Fahrenheit? 20.4 degC)")));
 }
 

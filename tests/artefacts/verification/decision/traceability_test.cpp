@@ -44,7 +44,7 @@ Certificate& certificate_of(SessionMaterial& material) { return material.constra
 
 TEST(Traceability, ASoundTestShowsConformity) {
   const Verification result = verified([](SessionMaterial&) {});
-  EXPECT_EQ(result.conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityProven);
   EXPECT_THAT(result.missing, IsEmpty());
   EXPECT_THAT(result.waived, IsEmpty());
 }
@@ -53,10 +53,10 @@ TEST(Traceability, TheDaysAtWhichValidityBeginsAndEnds) {
   const auto conclusion_on = [](const std::string& day) {
     return verified([&](SessionMaterial& m) { m.recording.date = day; }).conclusion;
   };
-  EXPECT_EQ(conclusion_on("2026-03-01"), Conclusion::NotShown);  // the day before the calibration
-  EXPECT_EQ(conclusion_on("2026-03-02"), Conclusion::ConformityShown);
-  EXPECT_EQ(conclusion_on("2028-03-01"), Conclusion::ConformityShown);
-  EXPECT_EQ(conclusion_on("2028-03-02"), Conclusion::NotShown);  // the day after the last
+  EXPECT_EQ(conclusion_on("2026-03-01"), Conclusion::ConformityNotShown);  // the day before the calibration
+  EXPECT_EQ(conclusion_on("2026-03-02"), Conclusion::ConformityProven);
+  EXPECT_EQ(conclusion_on("2028-03-01"), Conclusion::ConformityProven);
+  EXPECT_EQ(conclusion_on("2028-03-02"), Conclusion::ConformityNotShown);  // the day after the last
 }
 
 TEST(Traceability, EachDefectIsNamedAndCanBeWaivedByItsName) {
@@ -74,19 +74,19 @@ TEST(Traceability, EachDefectIsNamedAndCanBeWaivedByItsName) {
       {"date_absent", "the recording states no date", [](SessionMaterial& m) { m.recording.date.clear(); }}};
   for (const auto& [name, words, change] : cases) {
     const Verification missing = verified(change);
-    EXPECT_EQ(missing.conclusion, Conclusion::NotShown) << name;
+    EXPECT_EQ(missing.conclusion, Conclusion::ConformityNotShown) << name;
     EXPECT_THAT(missing.missing, ElementsAre(::testing::AllOf(HasSubstr(words), HasSubstr("[" + name + "]"))));
     const Verification waived = verified([&, &change = change, &name = name](SessionMaterial& material) {
       change(material);
       material.specification.waived = {evidence_named(name).value()};
     });
-    EXPECT_EQ(waived.conclusion, Conclusion::ConformityShown) << name;
+    EXPECT_EQ(waived.conclusion, Conclusion::ConformityProven) << name;
     EXPECT_THAT(waived.waived, ElementsAre(HasSubstr(words))) << name;
     const Verification other = verified([&, &change = change, &name = name](SessionMaterial& material) {
       change(material);
       material.specification.waived = {Evidence::CentreDilution};
     });
-    EXPECT_EQ(other.conclusion, Conclusion::NotShown) << name;
+    EXPECT_EQ(other.conclusion, Conclusion::ConformityNotShown) << name;
   }
 }
 
@@ -110,10 +110,10 @@ TEST(Traceability, AnArmIsNotJudgedByAnyReadingThatItWasIdentifiedFrom) {
         },
         &known);
   };
-  EXPECT_EQ(judged_by(0).conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(judged_by(0).conclusion, Conclusion::ConformityProven);
   for (const int shared : {1, 10}) {
     const Verification result = judged_by(shared);
-    EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+    EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
     EXPECT_THAT(result.missing, ElementsAre(HasSubstr("[independent_readings]")));
   }
   EXPECT_THAT(judged_by(1).missing, Contains(HasSubstr("1 of the 25 readings")));

@@ -110,11 +110,11 @@ Verification verified(const Case& planted, const Specification& by = specificati
 
 TEST(Iso10360_12, AGoodArmConforms) {
   const Verification result = verified({});
-  EXPECT_EQ(result.conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityProven);
   EXPECT_THAT(result.missing, IsEmpty());
   EXPECT_EQ(result.values.size(), 2u + 2u + 2u + 105u);
   for (const TestValue& value : result.values) {
-    EXPECT_EQ(value.verdict, Verdict::Conforms) << label_of(value);
+    EXPECT_EQ(value.verdict, Verdict::ConformityProven) << label_of(value);
     EXPECT_LT(std::abs(value.value), 0.010) << label_of(value);
   }
 }
@@ -158,7 +158,7 @@ TEST(Iso10360_12, AScaleErrorFails) {
   planted.noise = 0.0;
   planted.scale = 1.0 + 60e-6;  // 60 um on a metre, where 30 um are allowed
   const Verification result = verified(planted);
-  EXPECT_EQ(result.conclusion, Conclusion::NonConformityShown);
+  EXPECT_EQ(result.conclusion, Conclusion::NonConformityProven);
   const TestValue* worst = worst_of(result, Quantity::LengthUni);
   EXPECT_NEAR(worst->value, 0.060, 1e-9);
   EXPECT_DOUBLE_EQ(*worst->limit, 0.030);
@@ -182,7 +182,7 @@ TEST(Iso10360_12, LengthsAreComparedAtTwentyDegrees) {
   }
   warm.highest_temperature = 21.0;
   const Verification outside = verified(planted, warm);
-  EXPECT_EQ(outside.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(outside.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(outside.missing, Contains(HasSubstr("22.0 degC is outside the rated conditions")));
 }
 
@@ -190,7 +190,7 @@ TEST(Iso10360_12, AnAbsentTemperatureIsSaid) {
   Case planted;
   planted.temperature = std::nan("");
   const Verification result = verified(planted);
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, Contains(HasSubstr("temperature was not read")));
 }
 
@@ -199,7 +199,7 @@ TEST(Iso10360_12, WhatIsMissingIsSaidAndConformityNotShown) {
     Case planted;
     planted.leaves_out = leaves_out;
     const Verification result = verified(planted);
-    EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+    EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
     return result.missing;
   };
   EXPECT_THAT(missing_without([](const Label& l) { return l.placement == "7"; }),
@@ -220,7 +220,7 @@ TEST(Iso10360_12, PlannedPositionsAreAskedForByName) {
   Specification by = specification();
   by.plan->named = {{"8", {}}, {"1", {{"0", "5"}, {"5", "0"}, {"1", "2"}}}};
   const Verification result = verified({}, by);
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, ::testing::ElementsAre(HasSubstr("placement \"8\": no length was measured there"),
                                                      HasSubstr("placement \"1\", 1 - 2: 0 of 3 repeats")));
 }
@@ -228,7 +228,7 @@ TEST(Iso10360_12, PlannedPositionsAreAskedForByName) {
 TEST(Iso10360_12, WithoutLimitsOrPlanNothingIsShown) {
   Specification empty;
   const Verification result = verified({}, empty);
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, Contains(HasSubstr("has no [plan]")));
   EXPECT_THAT(result.missing, Contains(HasSubstr("E_Uni: no limit is stated")));
   EXPECT_EQ(result.values.front().verdict, Verdict::NotJudged);
@@ -241,14 +241,14 @@ TEST(Iso10360_12, ACertificateWithoutUIsSaid) {
   bar.u_expansion = 0.0;
   const testing::SessionMaterial material(planted.recording(), {single_ball(), bar}, specification());
   const Verification result = verify_iso10360_12(material.session()).value();
-  EXPECT_EQ(result.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.conclusion, Conclusion::ConformityNotShown);
   EXPECT_THAT(result.missing, Contains(HasSubstr("states no U of a length")));
   EXPECT_THAT(result.missing, Contains(HasSubstr("no uncertainty of the thermal expansion")));
   // Simple acceptance does not need u.
   Specification simple = specification();
   simple.rule = DecisionRule::Simple;
   const testing::SessionMaterial again(planted.recording(), {single_ball(), bar}, simple);
-  EXPECT_EQ(verify_iso10360_12(again.session()).value().conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(verify_iso10360_12(again.session()).value().conclusion, Conclusion::ConformityProven);
 }
 
 // The bar is moved half-way through a placement, and nobody changes the label.
@@ -287,11 +287,11 @@ TEST(Iso10360_12, TheOutlierRuleAsksForTheRepetition) {
     return verify_iso10360_12(material.session()).value();
   };
   const OutlierRule rule{5, 1, 10};
-  EXPECT_EQ(with_repeats(13, {1}, {}).conclusion, Conclusion::NonConformityShown);
-  EXPECT_EQ(with_repeats(13, {1}, rule).conclusion, Conclusion::NotShown);  // set aside; the rest is missing
-  EXPECT_EQ(with_repeats(12, {1}, rule).conclusion, Conclusion::NonConformityShown);
-  EXPECT_EQ(with_repeats(13, {1, 2}, rule).conclusion, Conclusion::NonConformityShown);
-  EXPECT_EQ(with_repeats(13, {1, 7}, rule).conclusion, Conclusion::NonConformityShown);
+  EXPECT_EQ(with_repeats(13, {1}, {}).conclusion, Conclusion::NonConformityProven);
+  EXPECT_EQ(with_repeats(13, {1}, rule).conclusion, Conclusion::ConformityNotShown);  // set aside; the rest is missing
+  EXPECT_EQ(with_repeats(12, {1}, rule).conclusion, Conclusion::NonConformityProven);
+  EXPECT_EQ(with_repeats(13, {1, 2}, rule).conclusion, Conclusion::NonConformityProven);
+  EXPECT_EQ(with_repeats(13, {1, 7}, rule).conclusion, Conclusion::NonConformityProven);
   EXPECT_THAT(with_repeats(13, {1}, rule).warnings, Contains(HasSubstr("set aside by the outlier rule")));
 }
 

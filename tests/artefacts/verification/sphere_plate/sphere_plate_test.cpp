@@ -107,7 +107,7 @@ TEST(RigidFit, RefusesWhatTellsNoPose) {
 
 TEST(SpherePlate, AGoodPlateConforms) {
   const PlateVerification result = Case{}.verified();
-  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityShown);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityProven);
   EXPECT_THAT(result.verification.missing, IsEmpty());
   EXPECT_THAT(result.verification.warnings, IsEmpty());
   EXPECT_EQ(result.verification.values.size(), 300u);
@@ -173,7 +173,7 @@ TEST(SpherePlate, AnotherOrderIsFoundAndNotHeldAgainstTheArm) {
   const PlateVerification result = swapped.verified();
   EXPECT_THAT(result.placements[0].finding, HasSubstr("another order"));
   EXPECT_THAT(result.placements[0].finding, HasSubstr("A4 is D3, D3 is A4"));
-  EXPECT_EQ(result.verification.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityNotShown);
   // Turned by a quarter: the square looks the same, but for its irregularity of 30 µm.
   Case turned;
   turned.name_of = [](int i) { return name_at(i % 5, 4 - i / 5); };
@@ -185,7 +185,7 @@ TEST(SpherePlate, MirroredNumberingIsFound) {
   mirrored.name_of = [](int i) { return name_at(i / 5, 4 - i % 5); };
   const PlateVerification result = mirrored.verified();
   EXPECT_THAT(result.placements[0].finding, HasSubstr("numbering is mirrored"));
-  EXPECT_EQ(result.verification.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityNotShown);
 }
 
 // A pattern with depth, whose certificate counts one axis the other way round.
@@ -208,7 +208,7 @@ TEST(SpherePlate, MissingBallsAreNamed) {
   const PlateVerification result = planted.verified();
   EXPECT_THAT(result.placements[0].not_measured, ::testing::ElementsAre("B1", "E5"));
   EXPECT_THAT(result.verification.missing, Contains(HasSubstr("not measured: B1, E5")));
-  EXPECT_EQ(result.verification.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityNotShown);
   EXPECT_EQ(result.verification.values.size(), 23u * 22u / 2u);
 }
 
@@ -222,7 +222,7 @@ TEST(SpherePlate, TwoPosesUnderOneNameAreFound) {
   const PlateVerification result = planted.verified();
   EXPECT_THAT(result.placements[0].finding, HasSubstr("two poses under one placement name"));
   EXPECT_THAT(result.placements[0].finding, HasSubstr("D1, D2, D3, D4, D5, E1"));
-  EXPECT_EQ(result.verification.conclusion, Conclusion::NotShown);
+  EXPECT_EQ(result.verification.conclusion, Conclusion::ConformityNotShown);
 }
 
 // The first placement misses a ball; the four after it are complete.
