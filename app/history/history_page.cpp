@@ -67,10 +67,10 @@ void write_verification_verdict(const ArmHistory& history, std::size_t index, Sh
       (last != nullptr && last->significant() > 0) || (overall != nullptr && overall->significant() > 0);
   const char* sign = past.conclusion == Conclusion::NonConformityProven ? "✗"
                      : past.conclusion == Conclusion::ConformityProven  ? "✓"
-                                                                       : "–";
+                                                                        : "–";
   sheet.verdict(past.conclusion == Conclusion::NonConformityProven            ? Mood::Bad
                 : past.conclusion == Conclusion::ConformityProven && !changed ? Mood::Good
-                                                                             : Mood::Unsure,
+                                                                              : Mood::Unsure,
                 fmt::format("{} {}, {}: {}", sign, standard_in_words(past.standard), date_of(past.entry),
                             text_of(past.conclusion)),
                 (last != nullptr ? since_in_words(history, *last) : "") +

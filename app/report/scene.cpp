@@ -162,17 +162,18 @@ Figure scene_of_verification(const Json& verification) {
   for (const auto& [verdict, points] : by_verdict) {
     places.push_back({{"verdict", verdict}, {"points", points.json()}, {"names", names[verdict]}});
   }
-  return {"Where the arm was tested",
-          fmt::format(
-              "Squares: the features of the artefacts where they were measured, joined by lines where an artefact has "
-              "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conformity proven; crosses: "
-              "non-conformity proven; diamonds: neither proven; open circles: not judged.{} Drag to turn.",
-              verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
-          {{"kind", "places"},
-           {"arm", arm_of(verification)},
-           {"artefacts", artefacts_of(verification.value("features", Json::array()))},
-           {"places", places}},
-          true};
+  return {
+      "Where the arm was tested",
+      fmt::format(
+          "Squares: the features of the artefacts where they were measured, joined by lines where an artefact has "
+          "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conformity proven; crosses: "
+          "non-conformity proven; diamonds: neither proven; open circles: not judged.{} Drag to turn.",
+          verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
+      {{"kind", "places"},
+       {"arm", arm_of(verification)},
+       {"artefacts", artefacts_of(verification.value("features", Json::array()))},
+       {"places", places}},
+      true};
 }
 
 }  // namespace artcal

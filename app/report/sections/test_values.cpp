@@ -216,8 +216,9 @@ void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, S
       {"Errors of length over length",
        fmt::format("Measured less certified, {}; the largest is {} µm{}. {}{}", plural(count, "value"),
                    micrometres(largest), where_limits_differ(lengths),
-                   bands.empty() ? "No limit is stated."
-                                 : "Dashed lines: the limits (MPE); crosses: non-conformity proven; diamonds: neither proven.",
+                   bands.empty()
+                       ? "No limit is stated."
+                       : "Dashed lines: the limits (MPE); crosses: non-conformity proven; diamonds: neither proven.",
                    drawn_count == count ? "" : fmt::format(" {} are drawn.", drawn_count)),
        {{"kind", "lengths"}, {"unit", unit.name}, {"series", series}, {"bands", bands}}});
 }
