@@ -73,6 +73,9 @@ bool is_declared_elsewhere(const std::string& source) {
       "app/results/fit/segment_json.cpp",             // segment_result.h: one value, two forms
       "app/results/fit/segment_text.cpp",             // segment_result.h
       "app/results/planning/plan_picture.cpp",        // plan_result.h: one value, three forms
+      "app/shell/completion_bash.cpp",                // completion.h: one function a shell
+      "app/shell/completion_fish.cpp",                // completion.h
+      "app/shell/completion_zsh.cpp",                 // completion.h
       "artefacts/constraints/build_constraints.cpp",  // constraint.h: the functions that make and read them
       "fitting/least_squares/axial.cpp",              // estimate.h: one function a feature, all of one kind
       "fitting/least_squares/circle.cpp",             // estimate.h: one function a feature, all of one kind

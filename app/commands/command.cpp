@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/output/capture.h"
 #include "app/output/output.h"
 
 namespace artcal {
@@ -11,11 +12,17 @@ void CommonOptions::add_to(CLI::App& parser) {
   parser.add_flag("--quiet,-q", quiet, "print nothing but errors");
 }
 
+void CommonOptions::say(const std::string& text) const {
+  if (Capture* const capture = current_capture()) {
+    capture->text = text;
+  } else if (talks()) {
+    fmt::print("{}", text);
+  }
+}
+
 Expected<int> CommonOptions::tell(const nlohmann::ordered_json& result, const std::string& text, int exit_code) const {
   return write_json(json, result).map([&] {
-    if (talks()) {
-      fmt::print("{}", text);
-    }
+    say(text);
     return exit_code;
   });
 }

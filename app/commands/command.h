@@ -29,6 +29,8 @@ struct CommonOptions {
   void add_to(CLI::App& parser);
   /// Whether a person is to be told on standard output.
   [[nodiscard]] bool talks() const { return !quiet && json != "-"; }
+  /// Says the text to a person, where one is to be told, or gives it to the thread's Capture.
+  void say(const std::string& text) const;
   /// Writes the result where JSON is asked for, then says the text to a person; returns the exit code that is given.
   [[nodiscard]] Expected<int> tell(const nlohmann::ordered_json& result, const std::string& text,
                                    int exit_code = 0) const;
@@ -47,5 +49,7 @@ Run set_up_report(CLI::App& parser);
 Run set_up_batch(CLI::App& parser);
 Run set_up_store(CLI::App& parser);
 Run set_up_history(CLI::App& parser);
+Run set_up_help(CLI::App& parser);
+Run set_up_completion(CLI::App& parser);
 
 }  // namespace artcal

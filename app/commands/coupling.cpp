@@ -12,6 +12,7 @@
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
 #include "app/requests/model_asked.h"
+#include "app/requests/named_values.h"
 #include "app/requests/referenced_files.h"
 #include "app/results/identification/coupling_json.h"
 #include "app/results/identification/coupling_text.h"
@@ -177,7 +178,7 @@ Run set_up_coupling(CLI::App& parser) {
                                  "(seats), distance (pairs at a certified distance), sphere (balls of known radius), "
                                  "sphere-unknown-radius, plane (unknown planes; --features 1 for a single one), "
                                  "plane-perpendicular (all perpendicular to axis 1), length (to unknown anchors)");
-  kind->transform(CLI::CheckedTransformer(kinds).description(""))->type_name("KIND");
+  kind->transform(named_values(kinds))->type_name("KIND")->default_str("");
   parser.add_option("--readings", request->probing.readings, "how many, at random postures")
       ->check(CLI::Range(1, 10'000'000))
       ->needs(kind);

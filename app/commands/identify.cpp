@@ -119,11 +119,10 @@ Expected<int> identify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  if (request.common.talks()) {
-    fmt::print("{}", to_text(*recording, *constraints, *result));
-    fmt::print("{}\n", request.arm_out.empty() ? "The identified arm was not written; add -o ARM.toml to keep it."
-                                               : fmt::format("The identified arm is in {}.", request.arm_out));
-  }
+  request.common.say(fmt::format("{}{}\n", to_text(*recording, *constraints, *result),
+                                 request.arm_out.empty()
+                                     ? "The identified arm was not written; add -o ARM.toml to keep it."
+                                     : fmt::format("The identified arm is in {}.", request.arm_out)));
   return 0;
 }
 

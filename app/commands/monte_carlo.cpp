@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/recording/recording_file.h"
+#include "app/output/capture.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/referenced_files.h"
@@ -123,8 +124,12 @@ Expected<void> make_trials(const MonteCarlo& monte_carlo, const TrialsWanted& wa
   {
     MonteCarloProgress progress(monte_carlo.quantities(), wanted, count.end);
     auto written = std::chrono::steady_clock::now();
+    Capture* const caller = current_capture();
     const MonteCarloWatch watch{[&](const MonteCarloCount& now) {
-                                  if (!quiet) {
+                                  if (Capture* const capture = caller; capture != nullptr && capture->progress) {
+                                    capture->progress("Monte Carlo trials", static_cast<std::size_t>(now.end),
+                                                      static_cast<std::size_t>(wanted.number.value_or(0)));
+                                  } else if (!quiet) {
                                     progress.tell(now);
                                   }
                                 },
@@ -150,12 +155,11 @@ Expected<void> tell(const MonteCarloResult& result, const CommonOptions& common,
   if (auto told = write_json(common.json, to_json(result)); !told) {
     return told;
   }
-  if (common.talks()) {
-    fmt::print("{}", to_text(result));
-    if (!state.empty()) {
-      fmt::print("Trials {} to {} are counted in {}.\n", result.count.first + 1, result.count.end, state);
-    }
+  std::string text = to_text(result);
+  if (!state.empty()) {
+    text += fmt::format("Trials {} to {} are counted in {}.\n", result.count.first + 1, result.count.end, state);
   }
+  common.say(text);
   return {};
 }
 

@@ -10,6 +10,7 @@
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
+#include "app/requests/named_values.h"
 #include "app/requests/referenced_files.h"
 #include "app/requests/stand_options.h"
 #include "app/results/planning/plan_result.h"
@@ -244,9 +245,10 @@ Run set_up_plan(CLI::App& parser) {
                   "noise of the tip's coordinates beside the joints', such as \"3 um\"")
       ->required();
   const std::map<std::string, Goal> goals{{"worst", Goal::Worst}, {"mean", Goal::Mean}};
-  parser.add_option("--goal", request->options.goal, "the u of lengths to lower: worst (as it is) or mean")
-      ->transform(CLI::CheckedTransformer(goals).description(""))
-      ->type_name("GOAL");
+  parser.add_option("--goal", request->options.goal, "the u of lengths to lower")
+      ->transform(named_values(goals))
+      ->type_name("GOAL")
+      ->default_str("worst");
   parser
       .add_option("--possible", request->possible.placements, "for an arm: placements to choose from, drawn at random")
       ->check(CLI::Range(1, 5000));

@@ -173,8 +173,8 @@ Run set_up_segment(CLI::App& parser) {
   request->common.add_to(parser);
   add_max_memory(parser, request->limits);
   parser.footer(
-      "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --artefact examples/ball-bar-scan/bar.toml --unit "
-      "mm");
+      "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --unit mm\\\n"
+      "    --artefact examples/ball-bar-scan/bar.toml");
   return [request] {
     const auto done = segment_and_tell(*request);
     return done ? *done : report_error(done.error());

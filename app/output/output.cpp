@@ -14,7 +14,9 @@
 
 #include <fmt/format.h>
 
+#include "app/output/capture.h"
 #include "app/output/file_mode.h"
+#include "app/shell/command_line_paths.h"
 #include "app/store/where.h"
 #include "core/files/size_limits.h"
 #include "core/text/in_quotes.h"
@@ -137,9 +139,13 @@ Expected<void> write_json(const std::string& path, const nlohmann::ordered_json&
   if (path.empty()) {
     return {};
   }
-  const std::string text = json_text(json);
+  std::string text = json_text(json);
   if (path != "-") {
     return write_file(path, text);
+  }
+  if (Capture* const capture = current_capture()) {
+    capture->json = std::move(text);
+    return {};
   }
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     return cannot_write("standard output");
@@ -148,7 +154,11 @@ Expected<void> write_json(const std::string& path, const nlohmann::ordered_json&
 }
 
 int report_error(const Error& error) {
-  fmt::print(stderr, "artcal: {}\n", truncated(largest::message, without_passwords(error.text())));
+  if (Capture* const capture = current_capture()) {
+    capture->error = error;
+    return static_cast<int>(error.code);
+  }
+  fmt::print(stderr, "artcal: {}\n", truncated(largest::message, without_passwords(text_with_origin(error))));
   return static_cast<int>(error.code);
 }
 

@@ -13,7 +13,8 @@ inline void add_max_memory(CLI::App& parser, CloudLimits& limits) {
                   "memory that compressed points may take, such as 4GB; without it sixteen times the file, and 256 MiB "
                   "for a small one")
       ->transform(CLI::AsSizeValue(false))
-      ->type_name("SIZE");
+      ->type_name("SIZE")
+      ->default_str("");  // 0 stands for none
 }
 
 }  // namespace artcal

@@ -137,9 +137,11 @@ TEST_F(Fit, WrongUsageIsExplained) {
   const auto refused = [&](const std::vector<std::string>& more, const std::string& sentence) {
     expect_refusal(fit(ball, more), 2, sentence);
   };
-  refused({"--shape", "sphere"}, "--unit is required");
+  refused({"--shape", "sphere"},
+          "--unit is missing, expected artcal fit [OPTIONS] POINTS --unit …; see artcal fit --help");
   refused({"--shape", "sphere", "--unit", "furlong"}, "--unit: found \"furlong\", expected the unit");
-  refused({"--shape", "cube", "--unit", "mm"}, "cube not in {sphere,plane,line,circle,cylinder,cone}");
+  refused({"--shape", "cube", "--unit", "mm"},
+          "--shape is \"cube\", expected sphere, plane, line, circle, cylinder or cone");
   refused({"--shape", "sphere", "--unit", "mm", "--diameter", "25.4"}, "--diameter: found \"25.4\", expected a length");
   refused({"--shape", "sphere", "--unit", "mm", "--tip-diameter", "0 mm"}, "--tip-diameter: found \"0 mm\"");
   refused({"--shape", "sphere", "--unit", "mm", "--noise", "-3um"}, "--noise: found");

@@ -47,6 +47,9 @@ TEST_F(Help, EveryExampleOfEveryCommandRuns) {
       if (!line.starts_with("  artcal ")) {
         continue;
       }
+      for (std::string more; line.ends_with('\\') && std::getline(lines, more);) {  // as a shell joins them
+        line = line.substr(0, line.size() - 1) + more;
+      }
       std::istringstream words(line);
       std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
       arguments.erase(arguments.begin());

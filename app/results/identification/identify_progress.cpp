@@ -10,8 +10,8 @@ std::string identify_progress_text(const std::string& what, std::size_t done, st
 }
 
 IdentifyProgress::IdentifyProgress(std::FILE* out, bool is_terminal, Clock::duration patience, Clock::duration interval)
-    : out_(out) {
-  if (is_terminal) {
+    : out_(out), caller_(current_capture()) {
+  if (is_terminal && caller_ == nullptr) {
     ticker_ = std::thread([this, patience, interval] { run(patience, interval); });
   }
 }
@@ -33,6 +33,9 @@ IdentifyProgress::~IdentifyProgress() {
 }
 
 void IdentifyProgress::set(const std::string& what, std::size_t done, std::size_t total) {
+  if (caller_ != nullptr && caller_->progress) {
+    caller_->progress(what, done, total);
+  }
   const std::lock_guard lock(mutex_);
   what_ = what;
   done_ = done;

@@ -7,6 +7,8 @@
 #include <string>
 #include <thread>
 
+#include "app/output/capture.h"
+
 namespace artcal {
 
 /// A line on a terminal that says what a long identification is doing and for how long; nothing where the output is no
@@ -27,6 +29,7 @@ class IdentifyProgress {
   void run(Clock::duration patience, Clock::duration interval);
 
   std::FILE* out_;
+  Capture* caller_;
   std::mutex mutex_;
   std::condition_variable wake_;
   bool finished_ = false;

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "app/output/capture.h"
+
 namespace artcal {
 namespace {
 
@@ -30,15 +32,20 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-StopOnSignal::StopOnSignal() {
+// A program that calls a command handles its signals itself.
+StopOnSignal::StopOnSignal() : is_handled_(current_capture() == nullptr) {
   stop_asked.store(false);
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  if (is_handled_) {
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+  }
 }
 
 StopOnSignal::~StopOnSignal() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  if (is_handled_) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
 }
 
 const std::atomic<bool>& StopOnSignal::stop() const { return stop_asked; }

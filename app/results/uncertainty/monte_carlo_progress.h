@@ -40,6 +40,9 @@ class StopOnSignal {
   StopOnSignal(const StopOnSignal&) = delete;
   StopOnSignal& operator=(const StopOnSignal&) = delete;
   [[nodiscard]] const std::atomic<bool>& stop() const;
+
+ private:
+  bool is_handled_;
 };
 
 }  // namespace artcal

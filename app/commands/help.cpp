@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/shell/completion.h"
+#include "app/shell/help_text.h"
+#include "app/shell/manual_page.h"
+#include "app/shell/usage_error.h"
+#include "app/version.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  std::vector<std::string> command;
+  bool manual = false;
+  std::string shell;
+};
+
+Expected<CommandDescription> command_named(const CLI::App& program, const std::vector<std::string>& words) {
+  const CLI::App* at = &program;
+  for (const std::string& word : words) {
+    const auto inside = at->get_subcommands([&](const CLI::App* app) { return app->get_name() == word; });
+    if (inside.empty()) {
+      return wrong_usage(
+          fmt::format("{}; {} --help lists the commands", unknown_command(*at, word), describe(*at).name()));
+    }
+    at = inside.front();
+  }
+  return describe(*at);
+}
+
+Expected<int> tell_help(const CLI::App& program, const Request& request) {
+  return command_named(program, request.command).map([&](const CommandDescription& command) {
+    fmt::print("{}", request.manual ? manual_page(command, program_version) : help_text(command));
+    return 0;
+  });
+}
+
+int tell_completion(const CLI::App& program, const std::string& shell) {
+  const CommandDescription described = describe(program);
+  fmt::print("{}", shell == "bash"  ? bash_completion(described)
+                   : shell == "zsh" ? zsh_completion(described)
+                                    : fish_completion(described));
+  return 0;
+}
+
+}  // namespace
+
+Run set_up_help(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("command", request->command, "the command to describe; without it the program")
+      ->type_name("COMMAND");
+  parser.add_flag("--man", request->manual, "write the manual page (roff) instead");
+  parser.footer("Examples:\n  artcal help identify\n  artcal help store merge\n  artcal help --man identify");
+  return [request, program = parser.get_parent()] {
+    const auto done = tell_help(*program, *request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+Run set_up_completion(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("shell", request->shell, "the shell to write for")
+      ->required()
+      ->type_name("SHELL")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  parser.footer(
+      "The Debian package installs these scripts. Without it, load one in the shell's start file.\n"
+      "Examples:\n  artcal completion bash > ~/.local/share/bash-completion/completions/artcal\n"
+      "  artcal completion fish > ~/.config/fish/completions/artcal.fish");
+  return [request, program = parser.get_parent()] { return tell_completion(*program, request->shell); };
+}
+
+}  // namespace artcal
