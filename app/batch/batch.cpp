@@ -116,11 +116,13 @@ void write_page(const BatchRequest& request, RecordingOutcome& outcome) {
 }
 
 void count(BatchSummary& summary, const RecordingOutcome& outcome) {
-  summary.identified += outcome.identified;
-  summary.verified += outcome.verified;
-  summary.known += outcome.was_known;
+  const bool has_failed = outcome.exit_code > 1;
+  summary.done += !has_failed && !outcome.was_known;
+  summary.known += !has_failed && outcome.was_known;
+  summary.identified += !has_failed && outcome.identified;
+  summary.verified += !has_failed && outcome.verified;
   summary.not_shown += outcome.exit_code == 1;
-  summary.failed += outcome.exit_code > 1;
+  summary.failed += has_failed;
   // What the recording itself asks wrongly is bad input to a batch.
   summary.exit_code = worse(summary.exit_code, outcome.exit_code == 2 ? 3 : outcome.exit_code);
   if (outcome.exit_code > 1 && outcome.entry[StoreTable::Files].empty() && !outcome.was_known) {
@@ -140,7 +142,7 @@ void count(BatchSummary& summary, const RecordingOutcome& outcome) {
 
 void BatchSummary::note_unreadable(const std::vector<Error>& folders) {
   for (const Error& folder : folders) {
-    ++failed;
+    ++unreadable_folders;
     exit_code = worse(exit_code, 3);
     not_stored[folder.where] = folder.message;
     failures.push_back({folder.where, 3, folder.message, false, false, false, {}, {}, {}});
@@ -158,7 +160,8 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
   summary.files = files.size();
   std::size_t next = 0;
   const auto take = [&](tbb::flow_control& flow) -> Item {
-    if (next == files.size() || !shared.is_sound()) {
+    const bool is_stopped = request.stop != nullptr && request.stop->load();
+    if (next == files.size() || is_stopped || !shared.is_sound()) {
       flow.stop();
       return {};
     }
@@ -199,6 +202,7 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
   if (shared.error()) {
     return tl::unexpected(*shared.error());
   }
+  summary.not_reached = files.size() - next;
   return summary;
 }
 

@@ -24,13 +24,18 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
       table.add({what, fmt::format("{}", count)});
     }
   };
+  // These add up to the recordings.
+  add("  done now", summary.done);
   add("  known before, left alone", summary.known);
-  add("  identified", summary.identified);
-  add("  verified", summary.verified);
-  add("  conformity not shown", summary.not_shown);
   add("  failed", summary.failed);
-  add("  reports written", summary.pages);
-  add("  reports not written", summary.page_errors.size());
+  add("  not reached", summary.not_reached);
+  // These say what was done, and may overlap.
+  add("identified", summary.identified);
+  add("verified", summary.verified);
+  add("conformity not shown", summary.not_shown);
+  add("folders that could not be read", summary.unreadable_folders);
+  add("reports written", summary.pages);
+  add("reports not written", summary.page_errors.size());
   std::string text = table.text();
   if (!summary.failures.empty()) {
     text += "\nFailed:\n";
@@ -51,10 +56,21 @@ std::string to_text(const BatchSummary& summary, const std::string& store) {
   return text + fmt::format("\nThe results are in {}.\n", store);
 }
 
+std::string interruption_text(const BatchSummary& summary, const std::string& store) {
+  return fmt::format(
+      "interrupted after {} of {} recordings; their results are in {}. The same command with --resume goes on from "
+      "there",
+      summary.files - summary.not_reached, summary.files, store);
+}
+
 std::string failure_line(const BatchSummary& summary) {
   std::string text;
   if (summary.failed > 0) {
     text = fmt::format("{} of {} recordings failed", summary.failed, summary.files);
+  }
+  if (summary.unreadable_folders > 0) {
+    text += fmt::format("{}{} could not be read", text.empty() ? "" : " and ",
+                        plural(summary.unreadable_folders, "folder"));
   }
   if (!summary.failures.empty()) {
     const RecordingOutcome& first = summary.failures.front();
@@ -74,11 +90,14 @@ nlohmann::ordered_json to_json(const BatchSummary& summary, const std::string& s
   nlohmann::ordered_json json = result_head("batch");
   json["store"] = store;
   json["files"] = summary.files;
+  json["done"] = summary.done;
   json["known"] = summary.known;
   json["identified"] = summary.identified;
   json["verified"] = summary.verified;
   json["not_shown"] = summary.not_shown;
   json["failed"] = summary.failed;
+  json["not_reached"] = summary.not_reached;
+  json["unreadable_folders"] = summary.unreadable_folders;
   json["reports"] = summary.pages;
   json["reports_failed"] = summary.page_errors.size();
   json["failures"] = nlohmann::ordered_json::array();

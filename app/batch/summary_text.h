@@ -11,6 +11,9 @@ namespace artcal {
 /// What a person reads at the end: the counts, then what failed and why.
 std::string to_text(const BatchSummary& summary, const std::string& store);
 
+/// How far an interrupted batch came, and how to go on. REQUIRES: summary.not_reached > 0.
+std::string interruption_text(const BatchSummary& summary, const std::string& store);
+
 /// Why the exit code is above 1, in one line. REQUIRES: it is.
 std::string failure_line(const BatchSummary& summary);
 

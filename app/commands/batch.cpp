@@ -17,10 +17,13 @@
 #include "app/commands/command.h"
 #include "app/output/output.h"
 #include "app/requests/access_option.h"
+#include "app/results/uncertainty/monte_carlo_progress.h"
 #include "app/store/where.h"
 
 namespace artcal {
 namespace {
+
+constexpr int interrupted = 130;  // as shells have it: 128 + SIGINT
 
 struct Request {
   CommonOptions common;
@@ -101,6 +104,8 @@ Expected<int> run_and_tell(const Request& request) {
     pages->begin();
     asked.pages = &*pages;
   }
+  const StopOnSignal signal;
+  asked.stop = &signal.stop();
   auto summary = run_batch(files, asked, *store, [&](const RecordingOutcome& outcome) {
     if (progress) {
       progress->step(outcome.exit_code > 1);
@@ -121,6 +126,10 @@ Expected<int> run_and_tell(const Request& request) {
   }
   if (auto written = write_index(request, *store, files, *summary, asked.pages); !written) {
     return tl::unexpected(written.error());
+  }
+  if (summary->not_reached > 0) {
+    fmt::print(stderr, "artcal: {}\n", interruption_text(*summary, store->name()));
+    return interrupted;
   }
   return summary->exit_code;
 }

@@ -15,9 +15,10 @@ const std::vector<Command>& command_table() {
       Command{"plan", "propose placements and postures of the next readings", set_up_plan},
       Command{"simulate", "a recording made by a virtual arm, with its true values", set_up_simulate},
       Command{"report", "report of results (HTML, prints on A4)", set_up_report},
+      Command{"convert", "tables of a result as CSV", set_up_convert},
       Command{"batch", "identify and verify many recordings, results into a store", set_up_batch},
       Command{"history", "changes of an arm over time; results that rest on a certificate", set_up_history},
-      Command{"store", "merge or print stores", set_up_store},
+      Command{"store", "merge, print or prune stores", set_up_store},
       Command{"help", "describe the program or a command, as --help does", set_up_help},
       Command{"completion", "a script that completes command lines in a shell", set_up_completion},
   };

@@ -3,54 +3,46 @@
 #include <fmt/format.h>
 
 #include "app/commands/command.h"
-#include "app/history/certificate_use.h"
 #include "app/history/history_page.h"
 #include "app/history/history_text.h"
+#include "app/history/recall/certificate_list.h"
 #include "app/output/output.h"
-#include "app/output/table.h"
-#include "app/store/stored_text.h"
+#include "app/results/result_table.h"
 #include "app/store/where.h"
-#include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {
 
 struct Request {
   CommonOptions common;
-  std::string arm, store, certificate, report;
+  std::string arm, store, certificate, report, csv;
   bool all = false;
 };
 
-std::string uses_text(const std::string& number, const std::vector<CertificateUse>& uses) {
-  Table table({"arm", "date", "recording", "artefact", "laboratory", "file"});
-  for (const CertificateUse& use : uses) {
-    table.add({truncated(40, use.arm), use.date.empty() ? "no date" : use.date, truncated(40, use.name),
-               truncated(40, use.artefact), truncated(40, use.laboratory),
-               use.path.empty() ? "no longer there" : in_one_line(use.path)});
-  }
-  return fmt::format("Results that rest on certificate {}: {}\n\n{}", in_quotes(number), uses.size(), table.text());
-}
-
 Expected<int> tell_certificate(const Request& request, Store& store) {
-  return uses_of_certificate(store, request.certificate).map([&](const std::vector<CertificateUse>& uses) {
-    if (!request.common.quiet) {
-      fmt::print("{}", uses_text(request.certificate, uses));
+  const auto uses = uses_of_certificate(store, request.certificate);
+  if (!uses) {
+    return tl::unexpected(uses.error());
+  }
+  const auto json = to_json(request.certificate, *uses, store.name());
+  for (const auto& [path, text] : {std::pair(request.csv, csv_of_rows(json.at("results"))),
+                                   {request.report, request.report.empty() ? "" : certificate_page(json)}}) {
+    if (auto written = path.empty() ? Expected<void>() : write_file(path, text); !written) {
+      return tl::unexpected(written.error());
     }
-    return 0;
-  });
+  }
+  return request.common.tell(json, to_text(request.certificate, *uses));
 }
 
 Expected<int> tell(const Request& request) {
   if (request.arm.empty() == request.certificate.empty()) {
     return wrong_usage("whose history? Name an arm, or a certificate with --certificate NUMBER, not both");
   }
-  if (!request.certificate.empty() && !request.common.json.empty()) {
-    return wrong_usage("--json is for an arm's history; docs/store.md has the SQL for a certificate");
+  if (request.certificate.empty() && !request.csv.empty()) {
+    return wrong_usage("--csv is for the results that rest on a certificate: --certificate NUMBER");
   }
-  if (!request.certificate.empty() && !request.report.empty()) {
-    return wrong_usage("--report is for an arm's history, not for that of a certificate");
-  }
-  if (auto checked = check_outputs({request.common.json, request.report}, {{file_of_store(request.store), ""}});
+  if (auto checked =
+          check_outputs({request.common.json, request.report, request.csv}, {{file_of_store(request.store), ""}});
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -84,13 +76,16 @@ Run set_up_history(CLI::App& parser) {
   parser
       .add_option("--certificate", request->certificate, "list every result that rests on this certificate, of any arm")
       ->type_name("NUMBER");
-  parser.add_option("--report", request->report, "write a page: what changed, with pictures over time")
+  parser
+      .add_option("--report", request->report,
+                  "write a page: what changed, with pictures over time; of a certificate the list")
       ->type_name("FILE.html");
+  parser.add_option("--csv", request->csv, "of a certificate: write the list as CSV")->type_name("CSV");
   parser.add_flag("--all", request->all, "list every change, not only the significant ones");
   request->common.add_to(parser);
   parser.footer(
       "Examples:\n  artcal history \"arm 17\" --store results.sqlite\n"
-      "  artcal history --certificate 4711 --store results.sqlite");
+      "  artcal history --certificate 4711 --store results.sqlite --csv recall.csv");
   return [request] {
     const auto done = tell(*request);
     return done ? *done : report_error(done.error());

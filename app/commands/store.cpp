@@ -4,7 +4,9 @@
 
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/store/store.h"
+#include "app/output/phrases.h"
+#include "app/store/prune.h"
+#include "app/store/stored_text.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -13,7 +15,7 @@ namespace {
 struct Request {
   std::string out, store;
   std::vector<std::string> shards;
-  bool quiet = false;
+  bool quiet = false, dry_run = false;
 };
 
 Expected<int> merge_and_tell(const Request& request) {
@@ -45,6 +47,37 @@ Expected<int> dump(const Request& request) {
   return dumped.map([] { return 0; });
 }
 
+std::string line_of(const VanishedFile& file) {
+  return fmt::format("  {}{}\n", in_one_line(file.path),
+                     !file.now_at.empty() ? fmt::format(", now {}", in_one_line(file.now_at))
+                     : file.name.empty()  ? ", could not be read"
+                                          : fmt::format(", {}", in_quotes(file.name)));
+}
+
+Expected<int> prune(const Request& request) {
+  auto store = Store::open(request.store, request.dry_run ? Database::Access::Read : Database::Access::Write);
+  if (!store) {
+    return tl::unexpected(store.error());
+  }
+  const auto gone = vanished_files(*store);
+  if (!gone) {
+    return tl::unexpected(gone.error());
+  }
+  if (auto removed = request.dry_run ? Expected<void>() : remove_files(*store, *gone); !removed) {
+    return tl::unexpected(removed.error());
+  }
+  if (!request.quiet) {
+    fmt::print("{} of {} at which no file is any more{}\n", plural(gone->size(), "path"), store->name(),
+               gone->empty()     ? "."
+               : request.dry_run ? " would be removed:"
+                                 : " were removed; their results stay:");
+    for (const VanishedFile& file : *gone) {
+      fmt::print("{}", line_of(file));
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 Run set_up_store(CLI::App& parser) {
@@ -58,9 +91,17 @@ Run set_up_store(CLI::App& parser) {
   CLI::App* dumped =
       parser.add_subcommand("dump", "print all results, a row a line; the same results give the same bytes");
   dumped->add_option("store", request->store, "file or postgresql://…")->required()->type_name("STORE");
+  CLI::App* pruned = parser.add_subcommand("prune", "remove paths of recordings that were moved or deleted");
+  pruned->add_option("store", request->store, "file or postgresql://…")->required()->type_name("STORE");
+  pruned->add_flag("--dry-run", request->dry_run, "list them, remove nothing");
+  pruned->add_flag("--quiet,-q", request->quiet, "print nothing but errors");
+  pruned->footer(
+      "Run it on the computer that has the files. The results themselves stay, so that those that rest on a "
+      "certificate "
+      "can still be found.\nExample:\n  artcal store prune all.sqlite --dry-run");
   parser.footer("Examples:\n  artcal store merge all.sqlite shard-*.sqlite\n  artcal store dump all.sqlite");
-  return [request, merge] {
-    const auto done = merge->parsed() ? merge_and_tell(*request) : dump(*request);
+  return [request, merge, pruned] {
+    const auto done = merge->parsed() ? merge_and_tell(*request) : pruned->parsed() ? prune(*request) : dump(*request);
     return done ? *done : report_error(done.error());
   };
 }

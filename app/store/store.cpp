@@ -196,12 +196,13 @@ Expected<void> Store::forget_moved(const std::vector<StoreEntry>& entries) {
       }
     }
   });
-  if (!found || gone.empty()) {
-    return found;
-  }
+  return found && !gone.empty() ? forget(gone) : found;
+}
+
+Expected<void> Store::forget(const std::vector<std::string>& paths) {
   return attempt(database_, "written", [&] {
     database_.in_transaction([&] {
-      for (const std::string& path : gone) {
+      for (const std::string& path : paths) {
         database_.run("DELETE FROM files WHERE path = :v0", {path});
       }
     });

@@ -51,6 +51,9 @@ class Store {
   /// recording was moved. For the store of this computer's files.
   Expected<void> forget_moved(const std::vector<StoreEntry>& entries);
 
+  /// Removes the rows of these paths, in one transaction; the results stay.
+  Expected<void> forget(const std::vector<std::string>& paths);
+
   /// Adds everything that another store holds. What is in both stays as it is, files take what the other says.
   /// The same again changes nothing.
   Expected<void> merge(Store& other);

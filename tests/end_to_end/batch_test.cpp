@@ -228,5 +228,70 @@ TEST_F(Batch, WrongCallsAreRefused) {
   EXPECT_EQ(run({"store"}).exit_code, 2);
 }
 
+TEST_F(Batch, CountsAddUp) {
+  file_away_quick_ones(3);
+  file_away("iso10360-12", "test", "");
+  file_away("gao2013", "broken", "");
+  write("archive/broken/recording.toml", "");
+  const auto expect_sum = [](const Json& json) {
+    EXPECT_EQ(
+        json["done"].get<int>() + json["known"].get<int>() + json["failed"].get<int>() + json["not_reached"].get<int>(),
+        json["files"].get<int>())
+        << json.dump();
+  };
+  const Ended first = batch({"--store", "s", "--json", "first.json"});
+  const Json fresh = Json::parse(text_of("first.json"));
+  expect_sum(fresh);
+  EXPECT_EQ(fresh["done"], 4);
+  EXPECT_THAT(first.out, HasSubstr("done now  4\n"));
+  file_away("gao2013", "another", "date = 2027-01-01\n");
+  (void)batch({"--store", "s", "--resume", "--json", "second.json"});
+  const Json again = Json::parse(text_of("second.json"));
+  expect_sum(again);
+  EXPECT_EQ(again["known"], 4);
+  EXPECT_EQ(again["done"], 1);
+  EXPECT_EQ(again["failed"], 1);
+}
+
+TEST_F(Batch, CtrlCKeepsWhatIsDoneAndSaysHowToGoOn) {
+  for (int i = 0; i < 30; ++i) {
+    file_away("ball-bar", fmt::format("bar-{:02}", i), fmt::format("date = 2026-01-{:02}\n", i + 1));
+  }
+  const std::vector<std::string> command{"batch", "archive", "--store", "s", "--jobs", "1", "--resume"};
+  const pid_t child = start(command);
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ::kill(child, SIGINT);
+  const Ended ended = wait_for(child);
+  ASSERT_EQ(ended.exit_code, 130) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("artcal: interrupted after "));
+  EXPECT_THAT(ended.err, HasSubstr("of 30 recordings; their results are in s. The same command with --resume goes on"));
+  EXPECT_THAT(ended.out, HasSubstr("not reached"));
+  EXPECT_EQ(run(command).exit_code, 0);
+  EXPECT_EQ(run({"batch", "archive", "--store", "fresh"}).exit_code, 0);
+  EXPECT_EQ(dump("s"), dump("fresh")) << "as if it had not been interrupted";
+}
+
+TEST_F(Batch, PrunedPathsAreListedFirst) {
+  file_away_quick_ones(3);
+  ASSERT_EQ(batch({"--store", "s.sqlite"}).exit_code, 0);
+  std::filesystem::remove_all(file("archive/quick-000"));
+  EXPECT_EQ(run({"store", "prune", "s.sqlite"}).exit_code, 0);
+  ASSERT_EQ(batch({"--store", "s.sqlite", "--resume"}).exit_code, 0);
+  std::filesystem::remove_all(file("archive/quick-001"));
+  std::filesystem::rename(file("archive/quick-002"), file("archive/moved"));
+  const std::string before = dump("s.sqlite");
+  const Ended dry = run({"store", "prune", "s.sqlite", "--dry-run"});
+  EXPECT_EQ(dry.exit_code, 0) << dry.err;
+  EXPECT_THAT(dry.out, HasSubstr("2 paths of s.sqlite at which no file is any more would be removed:"));
+  EXPECT_THAT(dry.out, HasSubstr("archive/quick-001/recording.toml"));
+  EXPECT_EQ(dump("s.sqlite"), before);
+  const Ended pruned = run({"store", "prune", "s.sqlite"});
+  EXPECT_THAT(pruned.out, HasSubstr("2 paths of s.sqlite at which no file is any more were removed"));
+  EXPECT_THAT(dump("s.sqlite"), Not(HasSubstr("quick-001/recording.toml")));
+  EXPECT_EQ(count_of(dump("s.sqlite"), "[\"recordings\""), 3) << "the results stay";
+  EXPECT_THAT(run({"store", "prune", "s.sqlite"}).out, HasSubstr("0 paths"));
+  EXPECT_EQ(run({"store", "prune", "gone.sqlite", "--dry-run"}).exit_code, 3);
+}
+
 }  // namespace
 }  // namespace artcal

@@ -185,15 +185,32 @@ TEST_F(History, ARecalledCertificateNamesEveryResult) {
   EXPECT_THAT(run({"history", "--certificate", "1", "--store", "s.sqlite"}).err, HasSubstr("no result rests on"));
 }
 
+TEST_F(History, ARecallListIsJsonCsvAndPageToo) {
+  const Ended ended = run({"history", "--certificate", "4711", "--store", "s.sqlite", "--json", "-", "--csv",
+                           "recall.csv", "--report", "recall.html"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(json["kind"], "certificate-uses");
+  ASSERT_EQ(json["results"].size(), 2u);
+  const std::string csv = text_of("recall.csv");
+  EXPECT_THAT(csv, ::testing::StartsWith("arm,date,recording,artefact,laboratory,file\n"));
+  const std::string page = text_of("recall.html");
+  for (const auto& result : json["results"]) {
+    EXPECT_THAT(csv, HasSubstr(result["file"].get<std::string>()));
+    EXPECT_THAT(page, HasSubstr("Example Laboratory"));
+    EXPECT_THAT(page, HasSubstr(result["date"].get<std::string>()));
+  }
+  EXPECT_EQ(run({"history", "--certificate", "4711", "--store", "s.sqlite", "--csv", "s.sqlite"}).exit_code, 2);
+}
+
 TEST_F(History, WrongCallsAreRefused) {
   const Ended unknown = run({"history", "arm 99", "--store", "s.sqlite"});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_THAT(unknown.err, HasSubstr("\"Franka Emika Panda\""));
   EXPECT_EQ(run({"history", "--store", "s.sqlite"}).exit_code, 2);
   EXPECT_EQ(run({"history", "arm", "--certificate", "1", "--store", "s.sqlite"}).exit_code, 2);
-  EXPECT_EQ(run({"history", "--certificate", "4711", "--json", "-", "--store", "s.sqlite"}).exit_code, 2);
+  EXPECT_EQ(run({"history", arm_, "--csv", "h.csv", "--store", "s.sqlite"}).exit_code, 2);
   EXPECT_EQ(run({"history", "arm", "--store", "gone.sqlite"}).exit_code, 3);
-  EXPECT_EQ(run({"history", "--certificate", "4711", "--report", "h.html", "--store", "s.sqlite"}).exit_code, 2);
   const std::string before = text_of("s.sqlite");
   EXPECT_EQ(run({"history", arm_, "--report", "s.sqlite", "--store", "s.sqlite"}).exit_code, 2);
   EXPECT_TRUE(text_of("s.sqlite") == before) << "the store is not overwritten";

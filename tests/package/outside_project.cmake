@@ -16,6 +16,7 @@ run(${CMAKE_COMMAND} -S ${OUTSIDE_DIR} -B ${build} -G ${GENERATOR} -DCMAKE_PREFI
     "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}")
 run(${CMAKE_COMMAND} --build ${build})
 run(${build}/outside)
+run(${build}/outside ${prefix}/share/artcal/examples)
 file(GLOB_RECURSE leaked RELATIVE ${prefix} ${prefix}/*.cpp ${prefix}/*toml_document* ${prefix}/*csv.h)
 if(leaked)
   message(FATAL_ERROR "These do not belong into an installation: ${leaked}")

@@ -1,15 +1,66 @@
-// A program of somebody else: where is the tip of a two-joint arm?
+// A program of somebody else: where is the tip of a two-joint arm? With the folder of the installed examples as its
+// argument it reads readings, identifies an arm from them and verifies that arm, all in memory.
 #include <artcal/acquisition/arm/arm_file.h>
 #include <artcal/acquisition/arm/forward_kinematics.h>
 #include <artcal/acquisition/recording/recording_file.h>
+#include <artcal/acquisition/recording/tip_centres.h>
+#include <artcal/artefacts/constraints/constraint.h>
+#include <artcal/artefacts/verification/decision/specification_file.h>
+#include <artcal/artefacts/verification/verify.h>
 #include <artcal/core/random.h>
 #include <artcal/identification/identify.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
-int main() {
+namespace {
+
+bool refuse(const artcal::Error& error) {
+  std::fprintf(stderr, "%s\n", error.text().c_str());
+  return false;
+}
+
+bool calibrates(const std::string& examples) {
+  auto readings = artcal::read_recording(examples + "/ball-bar/recording.toml");
+  if (!readings) {
+    return refuse(readings.error());
+  }
+  const auto constraints = artcal::read_constraints(*readings);
+  if (!constraints) {
+    return refuse(constraints.error());
+  }
+  artcal::IdentifyOptions options;
+  options.noise = readings->noise;
+  options.leave_out = false;
+  const auto identified = artcal::identify(*readings, *constraints, options);
+  if (!identified) {
+    return refuse(identified.error());
+  }
+  auto test = artcal::read_recording(examples + "/iso10360-12/recording.toml");
+  const auto specification = artcal::read_specification_file(examples + "/iso10360-12/specification.toml");
+  if (!test || !specification) {
+    return refuse(test ? specification.error() : test.error());
+  }
+  const auto artefacts = artcal::read_constraints(*test);
+  const auto tips = artcal::tip_centres(*test, identified->arm);
+  if (!artefacts || !tips) {
+    return refuse(artefacts ? tips.error() : artefacts.error());
+  }
+  const auto verdict = artcal::verify({*test, *artefacts, identified->arm, *tips, specification->specification},
+                                      artcal::Standard::Iso10360_12);
+  if (!verdict) {
+    return refuse(verdict.error());
+  }
+  std::printf("%zu readings identified %zu parameters; %zu values verified\n", readings->readings.size(),
+              identified->free.size(), verdict->verification.values.size());
+  return identified->free.size() >= 21 && verdict->verification.values.size() >= 105;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   artcal::Arm arm;
   arm.joints.resize(2);
   arm.joints[0].a = 300.0;
@@ -34,5 +85,6 @@ int main() {
   const auto missing = artcal::read_recording("no-such-recording.toml");
   const bool refused = !missing && missing.error().code == artcal::ErrorCode::BadInput;
   const bool right = (tip_in_base - Eigen::Vector3d(300.0, 200.0, 0.0)).norm() < 1e-12;
-  return right && refused && !artcal::arm_file_text(arm, std::nullopt).empty() ? 0 : 1;
+  const bool calibrated = argc < 2 || calibrates(argv[1]);
+  return right && refused && calibrated && !artcal::arm_file_text(arm, std::nullopt).empty() ? 0 : 1;
 }

@@ -1,4 +1,4 @@
-#include "app/history/certificate_use.h"
+#include "app/history/recall/certificate_use.h"
 
 #include <fmt/format.h>
 
