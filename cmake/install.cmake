@@ -32,10 +32,26 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/artcalConfig.cmake ${CMAKE_CURRENT_BIN
 
 if(TARGET artcal_program)
   install(TARGETS artcal_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+  # Manual pages and completion, made by the program itself.
+  set(shell_files ${CMAKE_CURRENT_BINARY_DIR}/shell_files)
+  add_custom_command(OUTPUT ${shell_files}/artcal.fish
+                     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:artcal_program> -DFOLDER=${shell_files} -P
+                             ${CMAKE_CURRENT_LIST_DIR}/shell_files.cmake
+                     DEPENDS artcal_program ${CMAKE_CURRENT_LIST_DIR}/shell_files.cmake VERBATIM)
+  add_custom_target(artcal_shell_files ALL DEPENDS ${shell_files}/artcal.fish)
+  install(DIRECTORY ${shell_files}/man1/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${shell_files}/artcal.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          RENAME artcal COMPONENT program)
+  install(FILES ${shell_files}/_artcal DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
+  install(FILES ${shell_files}/artcal.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+          COMPONENT program)
 endif()
 if(EXISTS ${PROJECT_SOURCE_DIR}/examples)
   install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/artcal/examples COMPONENT program)
 endif()
+
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/artcal COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/artcal COMPONENT program)
 
 foreach(component_and_package program:artcal development:libartcal-dev)
   string(REPLACE ":" ";" pair ${component_and_package})

@@ -48,7 +48,7 @@ TEST_F(Faults, AFolderThatMayNotBeReadIsNamedAndTheRestGoesOn) {
   std::filesystem::permissions(file("archive/lost+found"), std::filesystem::perms::owner_all);
   EXPECT_EQ(ended.exit_code, 3);
   EXPECT_THAT(ended.out, ContainsRegex("identified +2"));
-  EXPECT_THAT(ended.out, ContainsRegex("failed +1"));
+  EXPECT_THAT(ended.out, ContainsRegex("folders that could not be read +1"));
   EXPECT_THAT(ended.out, HasSubstr("lost+found"));
   EXPECT_THAT(text_of("i.html"), HasSubstr("lost+found"));
   EXPECT_EQ(count_of(dump("s.sqlite"), "[\"files\","), 2);
