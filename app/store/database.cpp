@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <soci/postgresql/soci-postgresql.h>
 #include <soci/soci.h>
 #include <soci/sqlite3/soci-sqlite3.h>
 
+#include "app/store/postgresql_backend.h"
 #include "app/store/stored_text.h"
 #include "app/store/where.h"
 #include "core/text/in_quotes.h"
@@ -202,7 +202,7 @@ Expected<Database> Database::open(const std::string& where, Access access, int l
   }
   try {
     if (place->is_postgresql) {
-      connection->session.open(*soci::factory_postgresql(), place->connection);
+      connection->session.open(postgresql_backend(), place->connection);
       connection->session << "SET client_min_messages TO warning";
       if (access == Access::Write) {
         limit_waiting(connection->session, lock_wait_seconds);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -85,6 +86,9 @@ std::vector<Facet> facets_of(const std::vector<Eigen::Vector3d>& directions) {
   Mesh mesh;
   CGAL::convex_hull_3(points.begin(), points.end(), mesh);
   std::vector<Facet> facets;
+  const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
   for (const auto face : mesh.faces()) {
     std::array<Eigen::Vector3d, 3> corners;
     std::size_t corner = 0;
@@ -92,10 +96,14 @@ std::vector<Facet> facets_of(const std::vector<Eigen::Vector3d>& directions) {
       const auto& p = mesh.point(vertex);
       corners[std::min<std::size_t>(corner++, 2)] = {p.x(), p.y(), p.z()};
     }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
     const Eigen::Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double height = across.norm() > 0.0 ? across.normalized().dot(corners[0]) : -1.0;
     facets.push_back({solid_angle(corners[0], corners[1], corners[2]), 0.5 * whole * (1.0 - height)});
   }
+  // CGAL's order of the facets, and of the corners of each, depends on where in memory they lie.
+  std::sort(facets.begin(), facets.end(),
+            [](const Facet& a, const Facet& b) { return std::tie(a.circle, a.area) < std::tie(b.circle, b.area); });
   return facets;
 }
 

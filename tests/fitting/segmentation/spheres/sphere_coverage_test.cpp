@@ -1,5 +1,8 @@
 #include "fitting/segmentation/spheres/sphere_coverage.h"
 
+#include <thread>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -67,6 +70,26 @@ TEST(SphereCoverage, PartsAddUp) {
   Eigen::Matrix3Xd both(3, 600);
   both << cap(0.5, 1.0, 300, 0), -cap(0.5, 1.0, 300, 1);
   EXPECT_NEAR(sphere_coverage(both), 1.0 - std::cos(0.5), 0.1 * (1.0 - std::cos(0.5)));
+}
+
+// CGAL hands out facets in an order that follows from addresses: the sum of their areas had other last digits in the
+// memory of another thread.
+TEST(SphereCoverage, DoesNotDependOnWhereInMemoryItIsComputed) {
+  for (std::uint64_t index = 0; index < 6; ++index) {
+    const Eigen::Matrix3Xd directions = cap(1.3, 1.0, 8000, index);
+    const double here = sphere_coverage(directions);
+    std::vector<std::vector<char>> blocks;
+    for (std::size_t i = 0; i < 400; ++i) {
+      blocks.emplace_back(100 + 37 * (i % 29));
+    }
+    for (std::size_t i = 0; i < blocks.size(); i += 2) {
+      blocks[i] = {};  // holes of many sizes
+    }
+    EXPECT_EQ(sphere_coverage(directions), here);
+    double there = 0.0;
+    std::thread([&] { there = sphere_coverage(directions); }).join();
+    EXPECT_EQ(there, here);
+  }
 }
 
 }  // namespace
