@@ -22,8 +22,9 @@ inside artcal --version
 inside sh -ec 'cd /root && cp -r /usr/share/artcal/examples . &&
   artcal identify examples/ball-bar/recording.toml -o arm.toml --json result.json --report report.html &&
   artcal convert result.json --csv --part lengths -o lengths.csv && test "$(wc -l <lengths.csv)" -gt 10 &&
-  artcal verify examples/iso10360-12/recording.toml --arm arm.toml --quiet &&
-  artcal batch examples --store s.sqlite --quiet; artcal store dump s.sqlite | grep -q recordings'
+  artcal verify examples/iso10360-12/recording.toml --arm arm.toml --quiet
+  artcal batch examples --store s.sqlite --quiet || test $? = 1  # one of the examples does not conform
+  artcal store dump s.sqlite | grep -q recordings'
 for file in man1/artcal-identify.1.gz; do test -s "$tree/usr/share/man/$file"; done
 # minbase leaves out documentation only where dpkg is told to
 test -s "$tree/usr/share/doc/artcal/README.md"

@@ -1,0 +1,46 @@
+"""artcal: artefact-based calibration of articulated-arm coordinate measuring machines.
+
+Lengths are in mm, angles in rad, temperatures in degrees Celsius. Every function gives the numbers of the program's
+command of the same name, bit for bit.
+"""
+
+from ._native import Arm, __version__
+from .commands import (
+    fit,
+    identifiability,
+    identify,
+    monte_carlo,
+    plan,
+    points,
+    report,
+    segment,
+    simulate,
+    uncertainty,
+    verify,
+)
+from .errors import BadInputError, Error, NoSolutionError, UsageError
+from .recording import Recording
+from .result import Result, Table
+
+__all__ = [
+    "Arm",
+    "BadInputError",
+    "Error",
+    "NoSolutionError",
+    "Recording",
+    "Result",
+    "Table",
+    "UsageError",
+    "__version__",
+    "fit",
+    "identifiability",
+    "identify",
+    "monte_carlo",
+    "plan",
+    "points",
+    "report",
+    "segment",
+    "simulate",
+    "uncertainty",
+    "verify",
+]
