@@ -21,6 +21,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+// A pattern's last brackets are qualifiers of it: (-.) are files, links to them too.
 std::string action(const OptionDescription& option) {
   const std::string name = escaped(option.value);
   if (!option.rule.choices.empty()) {
@@ -32,7 +33,7 @@ std::string action(const OptionDescription& option) {
     case FileKind::Kind::Folders: return fmt::format(":{}:_files -/", name);
     default:
       return kind.endings.empty() ? fmt::format(":{}:_files", name)
-                                  : fmt::format(":{}:_files -g \"*.({})\"", name, fmt::join(kind.endings, "|"));
+                                  : fmt::format(":{}:_files -g \"*.({})(-.)\"", name, fmt::join(kind.endings, "|"));
   }
 }
 

@@ -204,12 +204,22 @@ TEST_F(Shell, BashCompletesCommandsOptionsValuesAndFilesByKind) {
   }
 }
 
-TEST_F(Shell, ZshAndFishTakeTheirScripts) {
+TEST_F(Shell, ZshAndFishCompleteTheSame) {
   write("_artcal", run({"completion", "zsh"}).out);
-  const Ended zsh = run_command({"zsh", "-n", "_artcal"});
-  EXPECT_EQ(zsh.exit_code, 0) << zsh.err;
-  write("artcal.fish", run({"completion", "fish"}).out);
   write("arm.toml", "");
+  // An interactive zsh on a terminal of its own; -r -m waits for what is to appear.
+  write("session.zsh",
+        "zmodload zsh/zpty\n"
+        "zpty z zsh -f -i\n"
+        "zpty -w z 'PS1=; fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -D; echo READY$((1))'\n"
+        "zpty -r -m z out '*READY1*'\n"
+        "zpty -w -n z $'artcal ident\\t'; zpty -r -m z out '*artcal identify*' && print command\n"
+        "zpty -w -n z $'--repo\\t'; zpty -r -m z out '*--report*' && print option\n"
+        "zpty -w -n z $'x.html ar\\t'; zpty -r -m z out '*m.toml*' && print file\n"
+        "zpty -d z\n");
+  const Ended zsh = run_command({"timeout", "60", "zsh", "-f", "session.zsh"});
+  EXPECT_EQ(zsh.out, "command\noption\nfile\n") << zsh.err;
+  write("artcal.fish", run({"completion", "fish"}).out);
   write("notes.txt", "");
   const auto fish = [&](const std::string& line) {
     return run_command({"fish", "--no-config", "-c", "source artcal.fish; complete -C '" + line + "'"});
