@@ -13,6 +13,8 @@
 #include "app/results/identification/identification_run.h"
 #include "app/results/identification/readings_json.h"
 #include "app/results/identification/result_json.h"
+#include "app/results/inspection/inspected_run.h"
+#include "app/results/inspection/inspection_json.h"
 #include "app/results/verification/verification_json.h"
 #include "app/results/verification/verification_run.h"
 #include "artefacts/constraints/read_constraints.h"
@@ -110,7 +112,8 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   }
   asked.model = model->groups;
   asked.automatic = model->automatic;
-  const auto result = run_identification(job.recording, job.constraints, asked);
+  const auto inspected = run_inspected(job.recording, job.constraints, asked);
+  const auto& result = inspected.result;
   if (!result) {
     note_error(outcome, result.error());
     return;
@@ -120,6 +123,7 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   add_remarks(outcome.entry, job.key, "warning", result->warnings);
   if (keep == Keep::RowsAndResults) {
     auto json = to_json(job.recording, job.constraints, asked, *result, {});
+    json["findings"] = findings_json(inspected.inspection.findings);
     json["residuals"] = residuals_json(job.recording, job.constraints, *result);
     outcome.results.push_back(reported(std::move(json)));
   }
@@ -138,7 +142,10 @@ void do_verify(RecordingOutcome& outcome, Job& job, Keep keep) {
   add_remarks(outcome.entry, job.key, "missing", result->verification.missing);
   add_remarks(outcome.entry, job.key, "waived", result->verification.waived);
   if (keep == Keep::RowsAndResults) {
-    outcome.results.push_back(reported(to_json(job.verification->session(), *result)));
+    auto json = to_json(job.verification->session(), *result);
+    json["findings"] = findings_json(findings_for_verification(
+        job.verification->recording, job.verification->constraints, job.verification->session().arm));
+    outcome.results.push_back(reported(std::move(json)));
   }
 }
 

@@ -23,6 +23,8 @@
 #include "app/results/identification/readings_json.h"
 #include "app/results/identification/result_json.h"
 #include "app/results/identification/result_text.h"
+#include "app/results/inspection/inspected_run.h"
+#include "app/results/inspection/inspection_json.h"
 #include "artefacts/constraints/read_constraints.h"
 #include "artefacts/dcc/writing/dcc_write.h"
 #include "identification/identify.h"
@@ -55,13 +57,13 @@ Expected<IdentifyOptions> options_of(const Request& request, const Recording& re
   });
 }
 
-Expected<Identification> identify_with_progress(const Recording& recording, const Constraints& constraints,
-                                                IdentifyOptions options, bool quiet) {
+InspectedIdentification identify_with_progress(const Recording& recording, const Constraints& constraints,
+                                               IdentifyOptions options, bool quiet) {
   IdentifyProgress progress(stderr, !quiet && ::isatty(STDERR_FILENO) == 1);
   options.progress = [&](const std::string& what, std::size_t done, std::size_t total) {
     progress.set(what, done, total);
   };
-  return run_identification(recording, constraints, options);
+  return run_inspected(recording, constraints, options);
 }
 
 Expected<int> identify_and_tell(const Request& request) {
@@ -88,7 +90,8 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(checked.error());
   }
   const double reading_seconds = seconds_since(start);
-  const auto result = identify_with_progress(*recording, *constraints, *options, request.common.quiet);
+  const auto run = identify_with_progress(*recording, *constraints, *options, request.common.quiet);
+  const auto& result = run.result;
   if (!result) {
     return tl::unexpected(result.error());
   }
@@ -108,6 +111,7 @@ Expected<int> identify_and_tell(const Request& request) {
   }
   if (!request.common.json.empty() || !request.report.empty()) {
     auto json = to_json(*recording, *constraints, *options, *result, timings);
+    json["findings"] = findings_json(run.inspection.findings);
     json["residuals"] = residuals_json(*recording, *constraints, *result);
     if (auto written = write_identification_report(request.report, json, *recording, *options, *result); !written) {
       return tl::unexpected(written.error());

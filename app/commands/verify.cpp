@@ -10,6 +10,9 @@
 #include "app/requests/access_option.h"
 #include "app/requests/dcc_request.h"
 #include "app/requests/referenced_files.h"
+#include "app/results/inspection/inspected_run.h"
+#include "app/results/inspection/inspection_json.h"
+#include "app/results/inspection/inspection_text.h"
 #include "app/results/verification/dcc_verification.h"
 #include "app/results/verification/verification_json.h"
 #include "app/results/verification/verification_material.h"
@@ -94,7 +97,9 @@ Expected<int> verify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  const auto json = to_json(session, *result);
+  const Findings findings = findings_for_verification(material->recording, material->constraints, session.arm);
+  auto json = to_json(session, *result);
+  json["findings"] = findings_json(findings);
   if (!request.report.empty()) {
     const auto written = report_html({reported(json)}).and_then([&](const std::string& page) {
       return write_file(request.report, page);
@@ -103,7 +108,8 @@ Expected<int> verify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  return request.common.tell(json, to_text(session, *result, request.all),
+  const std::string text = to_text(session, *result, request.all);
+  return request.common.tell(json, text + further_findings_text(findings, text),
                              is_shown(*result) ? 0 : conformity_not_shown);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "acquisition/recording/recording.h"
@@ -15,5 +16,8 @@ namespace artcal {
 /// Coordinates without joint angles in a seat may agree by the resolution they are written with; they count as repeated
 /// where more than a quarter of the seat's readings do.
 void drop_coincident_readings(Recording& recording, const std::vector<Artefact>& artefacts);
+
+/// Whether a warning of a recording is that one.
+bool is_coincidence_warning(std::string_view warning);
 
 }  // namespace artcal

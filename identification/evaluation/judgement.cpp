@@ -125,9 +125,7 @@ Error misfit_error(const std::vector<std::string>& misfits, int attempts, const 
         fmt::join(where.begin(), where.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
         shown < where.size() ? ", …" : "", where.size() == 1 ? "it" : "them", where.size() == 1 ? "it" : "them");
   } else {
-    found +=
-        "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
-        "order, signs and units of the arm's file; --model auto searches for unmodelled errors";
+    found += general_advice;
   }
   return {ErrorCode::NoSolution, found + "; --accept-misfit writes the arm all the same", {}};
 }

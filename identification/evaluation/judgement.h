@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "identification/evaluation/goodness_of_fit.h"
@@ -20,6 +21,11 @@ std::vector<std::string> suspicions(const Identification& result, double length)
 
 /// What to say of parameters with a weak prior, of so many identified ones; empty where there are none.
 std::string warning_of_weak_prior(const std::vector<std::string>& names, std::size_t identified);
+
+/// What misfit_error() advises where nothing points to a cause.
+inline constexpr std::string_view general_advice =
+    "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
+    "order, signs and units of the arm's file; --model auto searches for unmodelled errors";
 
 /// Why a fit with misfits (identification/evaluation/misfit.h) is refused: what they are, which readings are outliers
 /// of an arm that fits all others (where there is such an arm), what to do. `where` names the places of these readings.

@@ -119,10 +119,7 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     Solution solution = solve_with_turns(system, recording, fit.weights, x, fit.unknowns, round);
     const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
     if (solution.termination != Termination::Converged && !is_usable) {
-      return no_solution(
-          fmt::format("the estimation did not converge ({}). Check certified distances and names of features, and the "
-                      "arm's file: joint order, signs, units",
-                      solution.message));
+      return no_solution("the estimation did not converge to an arm");
     }
     take_solution(std::move(solution), system, x, fit);
     fit.loss_weights = loss_weights(constraints, fit.weights, round.loss, fit.residuals);

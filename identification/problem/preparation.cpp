@@ -79,9 +79,7 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   const auto aligned =
       align(alignment, recording, constraints, from != nullptr ? *from : nominal, of_chain(*selection));
   if (!aligned) {
-    return no_solution(
-        "the initial alignment did not converge; is the arm's file the arm that was read, with the right joint signs "
-        "and units?");
+    return no_solution("the initial alignment did not converge to an arm");
   }
   const auto start = arm_with_fitted_tips(recording, constraints, *aligned, options.hold);
   if (!start) {

@@ -107,6 +107,22 @@ TEST_F(ResultSchema, OfIdentifications) {
   check({"identify", "ball-bar/recording.toml", "--json", "-", "--no-leave-out"}, "identification");
 }
 
+TEST_F(ResultSchema, OfInspections) {
+  take("ball-bar");
+  take("sphere-plate");
+  check({"inspect", "ball-bar/recording.toml", "--json", "-"}, "inspection");
+  check({"inspect", "sphere-plate/recording.toml", "--json", "-"}, "inspection");
+  write("ball-bar/recording.toml", "date = 1926-03-10\n" + text_of("ball-bar/recording.toml"));
+  std::string readings = text_of("ball-bar/readings.csv");
+  readings += readings.substr(readings.find('\n') + 1, 400);
+  readings.resize(readings.rfind('\n') + 1);
+  write("ball-bar/readings.csv", readings);
+  check({"inspect", "ball-bar/recording.toml", "--json", "-"}, "inspection", 1);
+  for (const char* list : {"findings", "remarks", "usage.joints"}) {
+    EXPECT_TRUE(seen_.contains(std::string("inspection.") + list)) << list << " was always empty";
+  }
+}
+
 TEST_F(ResultSchema, OfPlans) {
   take("ball-bar");
   check({"plan",

@@ -1,0 +1,141 @@
+#include "app/results/inspection/inspected_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "acquisition/recording/tip_centres.h"
+#include "app/output/phrases.h"
+#include "app/results/identification/identification_run.h"
+#include "artefacts/constraints/coincident_readings.h"
+#include "identification/evaluation/judgement.h"
+#include "identification/inspection/explanation.h"
+
+namespace artcal {
+namespace {
+
+constexpr double gross_verification = 0.3;  // mm
+constexpr std::string_view implausible = " [plausible_values]";
+
+Findings repeated_rows(const std::vector<std::string>& warnings) {
+  Findings findings;
+  for (const std::string& warning : warnings) {
+    if (is_coincidence_warning(warning)) {
+      findings.push_back({FindingKind::RepeatedReadings, "", warning});
+    }
+  }
+  return findings;
+}
+
+AsWritten as_written_of(const Identification& result) {
+  const double ratio =
+      result.noise_is_given ? std::sqrt(result.chi_squared / std::max(1, result.degrees_of_freedom)) : 1.0;
+  return {result.noise * ratio, !result.misfits.empty(), result.arm};
+}
+
+// What the readings as written are refused for, without advice in general.
+std::string reasons_of(const Error& error) {
+  std::string reasons = error.message.substr(0, error.message.find("; --accept-misfit"));
+  if (const auto advice = reasons.find(general_advice); advice != std::string::npos) {
+    reasons.resize(advice);
+  }
+  while (reasons.ends_with(' ') || reasons.ends_with('.')) {
+    reasons.pop_back();
+  }
+  return reasons;
+}
+
+constexpr std::string_view accept = "; --accept-misfit writes the arm all the same";
+
+Error explained_error(const Finding& finding, const std::optional<Error>& as_written) {
+  return {ErrorCode::NoSolution,
+          fmt::format("no arm fits these readings as they are written: {}{}{}", finding.sentence(),
+                      as_written ? ". As written: " + reasons_of(*as_written) : "", accept),
+          {}};
+}
+
+Error unexplained_error(const Error& as_written, const std::vector<std::string>& excluded) {
+  return {ErrorCode::NoSolution,
+          fmt::format("{}. No single mistake explains it; looked for in vain: {}. --model auto searches for unmodelled "
+                      "errors{}",
+                      reasons_of(as_written), fmt::join(excluded, "; "), accept),
+          {}};
+}
+
+bool is_told(const std::vector<std::string>& warnings, const Finding& finding) {
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](const std::string& warning) { return warning == finding.text; });
+}
+
+}  // namespace
+
+Inspection inspected(Recording& recording, const Constraints& constraints, const IdentifyOptions* options) {
+  Inspection inspection =
+      options != nullptr ? inspect(recording, constraints, *options) : inspect_recording(recording, constraints);
+  Findings repeated = repeated_rows(recording.warnings);
+  inspection.findings.insert(inspection.findings.begin(), repeated.begin(), repeated.end());
+  std::erase_if(recording.warnings, [](const std::string& warning) { return is_coincidence_warning(warning); });
+  return inspection;
+}
+
+InspectedIdentification run_inspected(const Recording& recording, const Constraints& constraints,
+                                      const IdentifyOptions& options) {
+  InspectedIdentification run{run_identification(recording, constraints, options),
+                              inspect_recording(recording, constraints)};
+  Findings& findings = run.inspection.findings;
+  Findings repeated = repeated_rows(recording.warnings);
+  findings.insert(findings.begin(), repeated.begin(), repeated.end());
+  const bool failed = !run.result;
+  if (failed && (run.result.error().code != ErrorCode::NoSolution || !is_misfit(run.result.error()))) {
+    return run;
+  }
+  const AsWritten as_written = failed ? fit_as_written(recording, constraints, options) : as_written_of(*run.result);
+  if (failed || is_unexplained(as_written, recording, options)) {
+    Explanation explanation = explain(recording, constraints, options, as_written);
+    if (explanation.finding) {
+      run.inspection.is_gross_misfit = true;
+      findings.push_back(*explanation.finding);
+      if (!options.accept_misfit || failed) {
+        const auto error = failed ? std::optional(run.result.error()) : std::nullopt;
+        run.result = tl::unexpected(explained_error(*explanation.finding, error));
+      }
+    } else if (failed) {
+      run.inspection.excluded = std::move(explanation.excluded);
+      run.result = tl::unexpected(unexplained_error(run.result.error(), run.inspection.excluded));
+    }
+  }
+  if (run.result) {
+    if (run.result->misfits.empty()) {
+      const Findings more = find_undetermined_centres(recording, constraints, run.result->arm);
+      findings.insert(findings.end(), more.begin(), more.end());
+    }
+    for (const Finding& finding : findings) {
+      if (!is_told(run.result->warnings, finding)) {
+        run.result->warnings.push_back(finding.sentence());
+      }
+    }
+  }
+  return run;
+}
+
+Findings findings_for_verification(Recording& recording, const Constraints& constraints, const Arm& arm) {
+  const bool by_joints = !arm.joints.empty() && require_joints(recording);
+  const auto evaluation = by_joints ? evaluate(recording, constraints, arm) : tl::unexpected(Error{});
+  const bool is_gross = evaluation && evaluation->overall.rms > gross_verification;
+  const IdentifyOptions options = recorded_options(recording);
+  return inspected(recording, constraints, is_gross ? &options : nullptr).findings;
+}
+
+Findings findings_of_verification(const std::vector<std::string>& missing) {
+  Findings findings;
+  for (const std::string& text : missing) {
+    if (text.ends_with(implausible)) {
+      findings.push_back({FindingKind::ImplausibleValue, "", text.substr(0, text.size() - implausible.size())});
+    }
+  }
+  return findings;
+}
+
+}  // namespace artcal

@@ -1,0 +1,357 @@
+#include "identification/inspection/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text/in_quotes.h"
+#include "identification/estimation.h"
+#include "identification/evaluation/misfit.h"
+#include "identification/initial/initial_alignment.h"
+#include "identification/inspection/artefact_hypotheses.h"
+#include "identification/inspection/encoder_slip.h"
+#include "identification/inspection/hypothesis.h"
+#include "identification/inspection/joint_hypotheses.h"
+#include "identification/inspection/label_hypotheses.h"
+#include "identification/least_squares/arm_fit.h"
+#include "identification/problem/preparation.h"
+
+namespace artcal {
+namespace {
+
+constexpr double no_fit = std::numeric_limits<double>::infinity();
+constexpr double far_better = 4.0;
+constexpr double gross_by_reach = 0.01;
+constexpr double surely_better = 30.0;
+constexpr double surely_as_stated = 2.0;
+constexpr double worth_a_search = 2.0;
+constexpr int quick_iterations = 30;
+constexpr double as_good = 1.5;  // sizes of residuals that do not tell two hypotheses apart
+constexpr double min_noise_ratio = 3.0;
+constexpr double min_size = 0.02;              // mm, where the noise is stated
+constexpr double min_size_of_unstated = 0.05;  // mm
+constexpr double better_by_nominal = 0.6;      // of the discrepancy, to be tried with a fit
+constexpr std::size_t max_fitted = 4;
+constexpr std::size_t max_readings = 1500;
+constexpr std::size_t max_placements = 8;
+
+double size_of(const Estimate& estimate, const IdentifyOptions& options) {
+  return estimate.fit.noise * (options.noise.is_given() ? noise_ratio(estimate.fit, options.loss) : 1.0);
+}
+
+IdentifyOptions for_trial(const IdentifyOptions& options) {
+  IdentifyOptions trial = options;
+  trial.leave_out = false;
+  trial.loss = Loss::None;
+  trial.progress = {};
+  trial.start.reset();
+  return trial;
+}
+
+// A recording with so many readings that fits are quick, evenly taken from each feature.
+Recording thinned(const Recording& recording) {
+  if (recording.readings.size() <= max_readings) {
+    return recording;
+  }
+  const auto step = static_cast<int>((recording.readings.size() + max_readings - 1) / max_readings);
+  std::map<std::tuple<int, int, int>, int> counts;
+  std::vector<bool> kept(recording.readings.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    const Reading& reading = recording.readings[i];
+    const int count = counts[{reading.artefact, reading.placement, reading.feature}]++;
+    kept[i] = count % step == 0 || count < 6;
+  }
+  return readings_where(recording, [&](int i) { return kept[static_cast<std::size_t>(i)]; });
+}
+
+/// A hypothesis and what the search for an arm makes of it.
+struct Trial {
+  Hypothesis hypothesis;
+  double size = no_fit;
+  Arm arm;
+  bool is_as_stated = false;  ///< the residuals are of the size of the stated noise
+};
+
+/// The search among all hypotheses about one recording.
+class Search {
+ public:
+  Search(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+         const AsWritten& as_written)
+      : recording_(recording), constraints_(constraints), options_(for_trial(options)), as_written_(as_written) {}
+
+  Explanation run() {
+    try_gross();
+    if (!is_explained()) {
+      try_local();
+    }
+    if (!is_explained()) {
+      try_slip();
+    }
+    if (!is_explained()) {
+      try_all(other_table_hypotheses(recording_), recording_.files.size() > 1 ? "a table of another arm or state" : "");
+    }
+    return {best(), excluded_};
+  }
+
+ private:
+  void try_gross() {
+    const auto& artefacts = constraints_.artefacts;
+    try_ranked(joint_hypotheses(recording_), "joint angles in another unit, order or sign");
+    try_ranked(offset_hypotheses(recording_, constraints_), "a joint's zero");
+    try_ranked(length_hypotheses(recording_, artefacts), "lengths in another unit, positions stated as steps");
+    try_all(radius_hypotheses(recording_, artefacts), "diameters stated as radii");
+    if (!is_explained()) {
+      try_radii();
+    }
+  }
+
+  void try_local() {
+    try_all(table_name_hypotheses(recording_), recording_.files.size() > 1 ? "placement names in several tables" : "");
+    if (!is_explained()) {
+      try_placements();
+    }
+  }
+
+  // A choice or a number that leaves the stated noise, or next to nothing of the residuals: no other is needed.
+  [[nodiscard]] bool is_explained() const {
+    return std::any_of(accepted_.begin(), accepted_.end(), [&](const Trial& trial) {
+      return trial.hypothesis.complexity <= 1 && (trial.size * surely_better <= as_written_.size || trial.is_as_stated);
+    });
+  }
+
+  void note(const std::string& excluded) {
+    if (!excluded.empty()) {
+      excluded_.push_back(excluded);
+    }
+  }
+
+  bool fit(Trial& trial, const std::optional<Arm>& start = {}) const {
+    auto bound = applied(trial.hypothesis, recording_, constraints_.artefacts);
+    if (!bound) {
+      return false;
+    }
+    IdentifyOptions options = options_;
+    options.start = start;
+    options.model.insert(options.model.end(), trial.hypothesis.model.begin(), trial.hypothesis.model.end());
+    if (!may_fit(*bound, options)) {
+      return false;
+    }
+    const auto estimate = search_solution(bound->recording, bound->constraints, options);
+    if (!estimate || !estimate->misfits.empty()) {
+      return false;
+    }
+    trial.is_as_stated = options.noise.is_given() && noise_ratio(estimate->fit, options.loss) < surely_as_stated;
+    trial.size = size_of(*estimate, options);
+    trial.arm = estimate->fit.arm;
+    return trial.size * far_better <= as_written_.size;
+  }
+
+  // One fit from the most promising initial alignment, before the whole search.
+  [[nodiscard]] bool may_fit(const Bound& bound, const IdentifyOptions& options) const {
+    const auto alignments =
+        alignments_for(bound.recording, bound.constraints, arm_for(options.model, bound.recording.arm));
+    const auto preparation = options.start ? prepare_from(arm_for(options.model, *options.start), bound.recording,
+                                                          bound.constraints, options)
+                                           : prepare(bound.recording, bound.constraints, options, alignments.front());
+    if (!preparation) {
+      return false;
+    }
+    SolveOptions few;
+    few.max_iterations = quick_iterations;
+    const auto fit = fit_arm(bound.recording, bound.constraints, preparation->start, preparation->free, {}, few);
+    return fit && fit->noise * worth_a_search <= as_written_.size;
+  }
+
+  void accept(Trial&& trial, const std::optional<Arm>& start = {}) {
+    if (fit(trial, start)) {
+      accepted_.push_back(std::move(trial));
+    }
+  }
+
+  void try_all(const std::vector<Hypothesis>& hypotheses, const std::string& excluded) {
+    for (const Hypothesis& hypothesis : hypotheses) {
+      accept({hypothesis, no_fit, {}, false});
+    }
+    note(excluded);
+  }
+
+  // The few that bring the readings nearest to what the nominal arm makes of them.
+  void try_ranked(const std::vector<Hypothesis>& hypotheses, const std::string& excluded) {
+    const double before = discrepancy({recording_, constraints_}, recording_.arm);
+    std::vector<std::pair<double, std::size_t>> ranked;
+    for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+      const auto bound = applied(hypotheses[i], recording_, constraints_.artefacts);
+      const double after = bound ? discrepancy(*bound, bound->recording.arm) : no_fit;
+      if (after < better_by_nominal * before) {
+        ranked.emplace_back(after, i);
+      }
+    }
+    std::sort(ranked.begin(), ranked.end());
+    for (std::size_t i = 0; i < std::min(ranked.size(), max_fitted); ++i) {
+      accept({hypotheses[ranked[i].second], no_fit, {}, false});
+    }
+    note(excluded);
+  }
+
+  void try_radii() {
+    for (const Hypothesis& hypothesis : free_radius_hypotheses(constraints_)) {
+      Trial trial{hypothesis, no_fit, {}, false};
+      if (fit(trial)) {
+        describe_radii(trial);
+        accepted_.push_back(std::move(trial));
+      }
+    }
+    note("the radii of the tips");
+  }
+
+  void describe_radii(Trial& trial) const {
+    std::string text;
+    bool forgotten = false;
+    for (std::size_t p = 0; p < trial.arm.probes.size(); ++p) {
+      const Probe& stated = recording_.arm.probes[p];
+      forgotten = forgotten || stated.radius == 0.0;
+      text += fmt::format("{}with a radius of {:.4g} mm for the tip of probe {}, stated as {:.6g} mm",
+                          text.empty() ? "" : ", ", trial.arm.probes[p].radius, in_quotes(stated.name), stated.radius);
+    }
+    trial.hypothesis.text = text;
+    trial.hypothesis.remedy = forgotten ? "State `radius` of the tip's ball in the arm's file; it seems forgotten"
+                                        : "Check `radius` of the tip in the arm's file, and the balls' diameters";
+  }
+
+  // Placements that do not fit the arm that the others fit, the worst first, and what is wrong in them.
+  void try_placements() {
+    std::vector<std::pair<double, int>> ranked;
+    const Arm& arm = as_written_.arm ? *as_written_.arm : recording_.arm;
+    for (int p = 0; p < recording_.placements.size(); ++p) {
+      const Recording own = readings_of_placement(recording_, p);
+      if (own.readings.empty()) {
+        continue;
+      }
+      const auto bound = build_constraints(own, constraints_.artefacts);
+      ranked.emplace_back(bound ? -discrepancy({own, *bound}, arm) : -no_fit, p);
+    }
+    note(ranked.size() > 1 ? "features exchanged or under another's name, an artefact that moved, in one placement"
+                           : "");
+    if (ranked.size() < 2) {
+      return;
+    }
+    std::sort(ranked.begin(), ranked.end());
+    for (std::size_t i = 0; i < std::min(ranked.size(), max_placements); ++i) {
+      Trial without{without_placement(recording_, ranked[i].second), no_fit, {}, false};
+      if (fit(without, as_written_.arm)) {
+        try_within(ranked[i].second, without);
+        accepted_.push_back(std::move(without));
+        return;
+      }
+    }
+  }
+
+  // With the arm that the other placements fit.
+  void try_within(int placement, const Trial& without) {
+    const Recording own = readings_of_placement(recording_, placement);
+    std::vector<std::pair<double, Hypothesis>> ranked;
+    for (const Hypothesis& hypothesis : feature_hypotheses(own, constraints_of(own), placement)) {
+      const auto bound = applied(hypothesis, own, constraints_.artefacts);
+      ranked.emplace_back(bound ? discrepancy(*bound, without.arm) : no_fit, hypothesis);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& one, const auto& other) { return one.first < other.first; });
+    for (std::size_t i = 0; i < std::min(ranked.size(), max_fitted); ++i) {
+      accept({std::move(ranked[i].second), no_fit, {}, false}, without.arm);
+    }
+    for (Hypothesis& hypothesis : move_hypotheses(recording_, constraints_, placement, without.arm)) {
+      accept({std::move(hypothesis), no_fit, {}, false}, without.arm);
+    }
+  }
+
+  [[nodiscard]] Constraints constraints_of(const Recording& part) const {
+    return build_constraints(part, constraints_.artefacts).value_or(Constraints{});
+  }
+
+  void try_slip() {
+    if (const auto slip = find_encoder_slip(recording_, constraints_, options_)) {
+      accept({slip_hypothesis(recording_, *slip), no_fit, {}, false});
+    }
+    note("an encoder that slipped or wrapped");
+  }
+
+  [[nodiscard]] std::optional<Finding> best() const {
+    double least = no_fit;
+    for (const Trial& trial : accepted_) {
+      least = std::min(least, trial.size);
+    }
+    const Trial* named = nullptr;
+    for (const Trial& trial : accepted_) {
+      if (trial.size <= as_good * least &&
+          (named == nullptr ||
+           std::pair(trial.hypothesis.complexity, trial.size) < std::pair(named->hypothesis.complexity, named->size))) {
+        named = &trial;
+      }
+    }
+    if (named == nullptr) {
+      return std::nullopt;
+    }
+    const Hypothesis& hypothesis = named->hypothesis;
+    const std::string before =
+        std::isfinite(as_written_.size)
+            ? fmt::format("deviations fall from {:.3g} mm to {:.2g} mm", as_written_.size, named->size)
+            : fmt::format("an arm fits with deviations of {:.2g} mm, and none does as written", named->size);
+    return Finding{hypothesis.kind, hypothesis.where,
+                   fmt::format("{}{} {}. {}", hypothesis.text, hypothesis.text.ends_with(",") ? "" : ",", before,
+                               hypothesis.remedy)};
+  }
+
+  const Recording& recording_;
+  const Constraints& constraints_;
+  IdentifyOptions options_;
+  const AsWritten& as_written_;
+  std::vector<Trial> accepted_;
+  std::vector<std::string> excluded_;
+};
+
+}  // namespace
+
+bool is_misfit(const Error& error) {
+  return error.message.find("no arm fits") != std::string::npos ||
+         error.message.find("did not converge") != std::string::npos;
+}
+
+AsWritten fit_as_written(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options) {
+  const auto estimate = search_solution(recording, constraints, for_trial(options));
+  if (!estimate) {
+    const bool gross = discrepancy({recording, constraints}, recording.arm) > gross_by_reach * reach(recording.arm);
+    const bool misfit = estimate.error().code == ErrorCode::NoSolution && (is_misfit(estimate.error()) || gross);
+    return {misfit ? no_fit : 0.0, misfit, std::nullopt};
+  }
+  return {size_of(*estimate, options), !estimate->misfits.empty(), estimate->fit.arm};
+}
+
+bool is_unexplained(const AsWritten& as_written, const Recording& recording, const IdentifyOptions& options) {
+  if (as_written.is_misfit) {
+    return true;
+  }
+  if (options.noise.reading) {
+    return as_written.size > std::max(min_size, min_noise_ratio * *options.noise.reading);
+  }
+  const double stated = options.noise.is_given()
+                            ? std::hypot(*options.noise.probing, 0.5 * *options.noise.encoder * reach(recording.arm))
+                            : 0.0;
+  return as_written.size >
+         (options.noise.is_given() ? std::max(min_size, min_noise_ratio * stated) : min_size_of_unstated);
+}
+
+Explanation explain(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                    const AsWritten& as_written) {
+  const Recording fewer = thinned(recording);
+  if (fewer.readings.size() == recording.readings.size()) {
+    return Search(recording, constraints, options, as_written).run();
+  }
+  const auto own = build_constraints(fewer, constraints.artefacts);
+  return own ? Search(fewer, *own, options, as_written).run() : Explanation{};
+}
+
+}  // namespace artcal
