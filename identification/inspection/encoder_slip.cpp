@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::size_t places_in_time = 6;
 constexpr std::size_t places_by_angle = 3;
-constexpr int iterations = 12;
+constexpr int iterations = 30;
+constexpr std::size_t max_places = 400;
 constexpr double near_enough = 1e-3;  // mm
 
 Arm with_slip_joint(Arm arm, int joint) {
@@ -61,12 +63,9 @@ class SlipFits {
   }
 
   // Before place `k` of the order.
-  [[nodiscard]] std::optional<EncoderSlip> at(int joint, SlipOrder by, const std::vector<int>& order,
-                                              std::size_t k) const {
-    EncoderSlip slip{joint, by, std::vector<bool>(order.size(), false), order[k], 0.0, 0.0};
-    for (std::size_t i = k; i < order.size(); ++i) {
-      slip.after[static_cast<std::size_t>(order[i])] = true;
-    }
+  [[nodiscard]] std::optional<EncoderSlip> at(int joint, SlipOrder by, const std::vector<int>& order, std::size_t k,
+                                              Loss loss) const {
+    EncoderSlip slip = placed(joint, by, order, k);
     const int row = recording_.arm.convention == Convention::Standard ? joint : joint + 1;
     Recording longer = recording_;
     longer.arm = with_slip_joint(recording_.arm, joint);
@@ -80,6 +79,7 @@ class SlipFits {
     SolveOptions options;
     options.max_iterations = iterations;
     options.still = near_enough;
+    options.loss = loss;
     const auto fit =
         fit_arm(longer, constraints_, longer.arm, with_slip_parameter(free_, longer.arm, row), {}, options);
     if (!fit) {
@@ -87,29 +87,41 @@ class SlipFits {
     }
     slip.angle = 1.0 + fit->arm.joints[static_cast<std::size_t>(row)].errors.gain;
     slip.size = fit->noise;
+    slip.arm = fit->arm;
+    slip.arm.joints.erase(slip.arm.joints.begin() + row);
     return slip;
   }
 
-  void improve(EncoderSlip& best, std::size_t place, std::size_t step) const {
+  // The place at which the readings are nearest to what the arm found makes of them.
+  void find_place(EncoderSlip& best) const {
     const auto order_of_best = order(best.joint, best.order);
-    for (; step > 0; step /= 2) {
-      for (bool moved = true; moved;) {
-        moved = false;
-        for (const std::size_t k : {place - std::min(place, step), place + step}) {
-          const auto slip =
-              k > 0 && k < order_of_best.size() ? at(best.joint, best.order, order_of_best, k) : std::nullopt;
-          if (slip && slip->size < best.size) {
-            best = *slip;
-            place = k;
-            moved = true;
-            break;
-          }
-        }
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t place = 0;
+    for (std::size_t step = std::max<std::size_t>(1, order_of_best.size() / max_places), k = step;
+         k < order_of_best.size(); k += step) {
+      EncoderSlip slip = placed(best.joint, best.order, order_of_best, k);
+      slip.angle = best.angle;
+      const auto bound = applied(slip_hypothesis(recording_, slip), recording_, constraints_.artefacts);
+      if (const double found = bound ? discrepancy(*bound, best.arm) : least; found < least) {
+        least = found;
+        place = k;
       }
+    }
+    auto slip = place > 0 ? at(best.joint, best.order, order_of_best, place, Loss::None) : std::nullopt;
+    if (slip) {
+      best = std::move(*slip);
     }
   }
 
  private:
+  [[nodiscard]] static EncoderSlip placed(int joint, SlipOrder by, const std::vector<int>& order, std::size_t k) {
+    EncoderSlip slip{joint, by, std::vector<bool>(order.size(), false), order[k], 0.0, 0.0, {}};
+    for (std::size_t i = k; i < order.size(); ++i) {
+      slip.after[static_cast<std::size_t>(order[i])] = true;
+    }
+    return slip;
+  }
+
   const Recording& recording_;
   const Constraints& constraints_;
   const std::vector<Parameter>& free_;
@@ -125,25 +137,21 @@ std::optional<EncoderSlip> find_encoder_slip(const Recording& recording, const C
   }
   const SlipFits fits(recording, constraints, preparation->free);
   std::optional<EncoderSlip> best;
-  std::size_t place = 0;
-  std::size_t step = 0;
   for (int joint = 0; joint < static_cast<int>(recording.arm.joints.size()); ++joint) {
     for (const SlipOrder by : {SlipOrder::Time, SlipOrder::Angle}) {
       const auto order = fits.order(joint, by);
       const std::size_t places = by == SlipOrder::Time ? places_in_time : places_by_angle;
       for (std::size_t i = 1; i < places; ++i) {
         const std::size_t k = i * order.size() / places;
-        auto slip = k > 0 ? fits.at(joint, by, order, k) : std::nullopt;
+        auto slip = k > 0 ? fits.at(joint, by, order, k, Loss::Cauchy) : std::nullopt;
         if (slip && (!best || slip->size < best->size)) {
           best = std::move(slip);
-          place = k;
-          step = order.size() / places;
         }
       }
     }
   }
   if (best) {
-    fits.improve(*best, place, step / 2);
+    fits.find_place(*best);
   }
   return best;
 }

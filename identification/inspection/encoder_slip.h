@@ -20,10 +20,12 @@ struct EncoderSlip {
   int first = 0;            ///< the first reading after it, in that order
   double angle = 0.0;       ///< rad, of the readings after it
   double size = 0.0;        ///< of the residuals, mm a coordinate, by a fit in which the angle is a parameter
+  Arm arm;                  ///< of that fit
 };
 
-/// The slip that explains the readings best, by a fit for each joint and some places of both orders, then by halving
-/// the steps between the places about the best. The angle is the gain of a joint that is put into the chain beside the
+/// The slip that explains the readings best: by a fit with a robust loss for each joint and some places of both orders,
+/// which readings between the place and the slip do not mislead, then by the place at which the readings are nearest to
+/// what the arm of the best makes of them. The angle is the gain of a joint that is put into the chain beside the
 /// slipped one and reads 1 rad after the slip and 0 before. Nothing where no fit converges.
 std::optional<EncoderSlip> find_encoder_slip(const Recording& recording, const Constraints& constraints,
                                              const IdentifyOptions& options);

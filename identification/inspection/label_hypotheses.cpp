@@ -16,6 +16,8 @@ namespace artcal {
 namespace {
 
 constexpr int min_readings = 4;
+// Readings that are too few on one side of the move are left out there, which brings a little by chance.
+constexpr double per_reading_left_out = 0.1;
 constexpr std::size_t max_moves = 200;  // rows tried
 
 int label_of(const Recording& recording, const FeatureConstraint& feature) {
@@ -134,7 +136,11 @@ std::vector<Hypothesis> move_hypotheses(const Recording& recording, const Constr
           split_placement(changed, placement, static_cast<int>(k));
         }};
     const auto bound = applied(split, own, constraints.artefacts);
-    return bound ? discrepancy(*bound, arm) : std::numeric_limits<double>::infinity();
+    if (!bound) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const auto left_out = static_cast<double>(own.readings.size() - bound->recording.readings.size());
+    return discrepancy(*bound, arm) * (1.0 + per_reading_left_out * left_out);
   };
   const std::size_t step = std::max<std::size_t>(1, rows.size() / max_moves);
   for (std::size_t k = min_readings; k + min_readings <= rows.size(); k += step) {
