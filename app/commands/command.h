@@ -37,7 +37,6 @@ struct CommonOptions {
 };
 
 Run set_up_identify(CLI::App& parser);
-Run set_up_inspect(CLI::App& parser);
 Run set_up_coupling(CLI::App& parser);
 Run set_up_segment(CLI::App& parser);
 Run set_up_fit(CLI::App& parser);

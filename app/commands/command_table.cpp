@@ -1,5 +1,7 @@
 #include "app/commands/command_table.h"
 
+#include "app/commands/inspect.h"
+
 namespace artcal {
 
 const std::vector<Command>& command_table() {

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "acquisition/recording/recording_file.h"
-#include "app/commands/command.h"
+#include "app/commands/inspect.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
