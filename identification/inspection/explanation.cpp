@@ -83,6 +83,13 @@ class Search {
          const AsWritten& as_written)
       : recording_(recording), constraints_(constraints), options_(for_trial(options)), as_written_(as_written) {}
 
+  Explanation run_radii() {
+    if (!free_radius_hypotheses(constraints_).empty()) {  // there are balls of known diameter
+      try_all_radii();
+    }
+    return {best(), excluded_};
+  }
+
   Explanation run() {
     try_gross();
     if (!is_explained()) {
@@ -103,7 +110,11 @@ class Search {
     try_ranked(joint_hypotheses(recording_), "joint angles in another unit, order or sign");
     try_ranked(offset_hypotheses(recording_, constraints_), "a joint's zero");
     try_ranked(length_hypotheses(recording_, artefacts), "lengths in another unit, positions stated as steps");
-    try_all(radius_hypotheses(recording_, artefacts), "diameters stated as radii");
+    try_all_radii();
+  }
+
+  void try_all_radii() {
+    try_all(radius_hypotheses(recording_, constraints_.artefacts), "diameters stated as radii");
     if (!is_explained()) {
       try_radii();
     }
@@ -344,14 +355,29 @@ bool is_unexplained(const AsWritten& as_written, const Recording& recording, con
          (options.noise.is_given() ? std::max(min_size, min_noise_ratio * stated) : min_size_of_unstated);
 }
 
-Explanation explain(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
-                    const AsWritten& as_written) {
+namespace {
+
+template <typename Run>
+Explanation explained(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                      const AsWritten& as_written, Run run) {
   const Recording fewer = thinned(recording);
   if (fewer.readings.size() == recording.readings.size()) {
-    return Search(recording, constraints, options, as_written).run();
+    return (Search(recording, constraints, options, as_written).*run)();
   }
   const auto own = build_constraints(fewer, constraints.artefacts);
-  return own ? Search(fewer, *own, options, as_written).run() : Explanation{};
+  return own ? (Search(fewer, *own, options, as_written).*run)() : Explanation{};
+}
+
+}  // namespace
+
+Explanation explain(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                    const AsWritten& as_written) {
+  return explained(recording, constraints, options, as_written, &Search::run);
+}
+
+Explanation explain_by_radii(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                             const AsWritten& as_written) {
+  return explained(recording, constraints, options, as_written, &Search::run_radii);
 }
 
 }  // namespace artcal

@@ -40,4 +40,8 @@ bool is_unexplained(const AsWritten& as_written, const Recording& recording, con
 Explanation explain(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
                     const AsWritten& as_written);
 
+/// The same for diameters and radii alone, which takes a few fits.
+Explanation explain_by_radii(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                             const AsWritten& as_written);
+
 }  // namespace artcal

@@ -16,6 +16,7 @@
 namespace artcal {
 namespace {
 
+constexpr double large_residuals = 0.15;    // mm a coordinate
 constexpr double gross_verification = 0.3;  // mm
 constexpr std::string_view implausible = " [plausible_values]";
 
@@ -92,8 +93,11 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
     return run;
   }
   const AsWritten as_written = failed ? fit_as_written(recording, constraints, options) : as_written_of(*run.result);
+  // Real arms without a stated noise leave a tenth of a millimetre: all but radii is left to inspect then.
+  const bool is_large = options.noise.is_given() || as_written.size > large_residuals;
   if (failed || is_unexplained(as_written, recording, options)) {
-    Explanation explanation = explain(recording, constraints, options, as_written);
+    Explanation explanation = failed || is_large ? explain(recording, constraints, options, as_written)
+                                                 : explain_by_radii(recording, constraints, options, as_written);
     if (explanation.finding) {
       run.inspection.is_gross_misfit = true;
       findings.push_back(*explanation.finding);
