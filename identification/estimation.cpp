@@ -10,7 +10,7 @@
 #include "core/text/in_quotes.h"
 #include "identification/evaluation/judgement.h"
 #include "identification/evaluation/outliers.h"
-#include "identification/identifiability/parallel_axes.h"
+#include "identification/identifiability/fixed_hayati_angles.h"
 #include "identification/identifiability/weak_parameters.h"
 #include "identification/models/group_fit.h"
 
@@ -69,18 +69,19 @@ Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparatio
   if (!found) {
     return failed;
   }
+  const Arm nominal = arm_for(options.model, recording.arm);
   const auto again = [&](const Arm& start, const WeakPrior& prior) {
     return fitted(prepare_from(start, recording, constraints, options), recording, constraints, options, prior);
   };
-  auto fixed = found->names.empty() ? tl::unexpected(Error{}) : again(found->arm, {found->names, recording.arm});
+  auto fixed = found->names.empty() ? tl::unexpected(Error{}) : again(found->arm, {found->names, nominal});
   auto whole = again(fixed ? fixed->fit.arm : found->arm, {});
-  if (is_plausible(whole, recording.arm)) {
+  if (is_plausible(whole, nominal)) {
     return whole;
   }
-  if (!is_plausible(fixed, recording.arm)) {
+  if (!is_plausible(fixed, nominal)) {
     return failed;
   }
-  if (found->scale_is_weak || contradicts({found->names, recording.arm}, fixed->fit, fixed->preparation.free)) {
+  if (found->scale_is_weak || contradicts({found->names, nominal}, fixed->fit, fixed->preparation.free)) {
     return tl::unexpected(hardly_determined(found->names, found->scale_is_weak));
   }
   weak = found->names;
@@ -90,9 +91,10 @@ Expected<GroupFit> fitted_with_prior(Expected<GroupFit> failed, const Preparatio
 Expected<Estimate> estimate_of(const Expected<Preparation>& preparation, Alignment alignment,
                                const Recording& recording, const Constraints& constraints,
                                const IdentifyOptions& options) {
+  const Arm nominal = arm_for(options.model, recording.arm);
   auto fit = fitted(preparation, recording, constraints, options);
   std::vector<std::string> weak;
-  if (preparation && !is_plausible(fit, recording.arm)) {
+  if (preparation && !is_plausible(fit, nominal)) {
     fit = fitted_with_prior(std::move(fit), *preparation, recording, constraints, options, weak);
   }
   if (!fit) {
@@ -105,7 +107,7 @@ Expected<Estimate> estimate_of(const Expected<Preparation>& preparation, Alignme
   if (!after) {
     return tl::unexpected(after.error());
   }
-  auto reasons = misfits(fit->fit, *after, recording.arm, fit->preparation.free, options.noise, options.loss);
+  auto reasons = misfits(fit->fit, *after, nominal, fit->preparation.free, options.noise, options.loss);
   return Estimate{alignment,
                   1,
                   std::move(fit->preparation),
@@ -263,13 +265,13 @@ Expected<Estimate> find_estimate(const Recording& recording, const Constraints& 
                                  const IdentifyOptions& options) {
   auto estimate = search_solution(recording, constraints, options);
   if (!estimate) {
-    return tl::unexpected(with_parallel_axes(with_reason(estimate.error(), recording, constraints, recording.arm),
-                                             recording, constraints, options));
+    return tl::unexpected(with_fixed_hayati_angles(with_reason(estimate.error(), recording, constraints, recording.arm),
+                                                   recording, constraints, options));
   }
   if (!estimate->misfits.empty() && !options.accept_misfit) {
     const auto where = observations_to_remove(recording, constraints, options);
-    return tl::unexpected(
-        with_parallel_axes(misfit_error(estimate->misfits, estimate->attempt, where), recording, constraints, options));
+    return tl::unexpected(with_fixed_hayati_angles(misfit_error(estimate->misfits, estimate->attempt, where), recording,
+                                                   constraints, options));
   }
   return estimate;
 }

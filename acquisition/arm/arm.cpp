@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquisition/arm/stretched_length.h"
+
 namespace artcal {
 
 namespace {
@@ -27,9 +29,22 @@ struct OffsetsAlongOneDirection {
   [[nodiscard]] double reach() const { return tilt < 1.0 ? std::min(sizes, std::abs(sum) + deviations) : sizes; }
 };
 
-}  // namespace
+// How far a prismatic joint travels from where its length is d, as far as its ends are stated.
+double travel(const Joint& joint) {
+  return joint.is_prismatic() ? std::max(std::abs(joint.lowest.value_or(0.0)), std::abs(joint.highest.value_or(0.0)))
+                              : 0.0;
+}
 
-double reach(const Arm& arm) {
+// Behind the first joint. Twice as long as the arm can reach it is no length of the arm, but cancels with others.
+double largest_offset(const Arm& arm) {
+  double largest = 0.0;
+  for (std::size_t i = 1; i < arm.joints.size(); ++i) {
+    largest = std::max(largest, std::abs(arm.joints[i].d));
+  }
+  return largest;
+}
+
+double sum_of_lengths(const Arm& arm) {
   double length = 0.0;
   OffsetsAlongOneDirection offsets;
   const bool modified = arm.convention == Convention::Modified;
@@ -58,8 +73,25 @@ double reach(const Arm& arm) {
   return length + tip;
 }
 
+}  // namespace
+
+double reach(const Arm& arm) {
+  double length = sum_of_lengths(arm);
+  if (const double stretched = stretched_length(arm); largest_offset(arm) > 2.0 * stretched) {
+    length = std::min(length, stretched);
+  }
+  for (std::size_t i = 1; i < arm.joints.size(); ++i) {
+    length += travel(arm.joints[i]);
+  }
+  return length;
+}
+
 bool has_masses(const Arm& arm) {
   return std::all_of(arm.joints.begin(), arm.joints.end(), [](const Joint& joint) { return joint.mass.has_value(); });
+}
+
+bool has_prismatic_joints(const Arm& arm) {
+  return std::any_of(arm.joints.begin(), arm.joints.end(), [](const Joint& joint) { return joint.is_prismatic(); });
 }
 
 bool expands(const Arm& arm) {

@@ -1,6 +1,8 @@
 #include "acquisition/arm/arm_file.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -23,6 +25,7 @@ namespace {
 
 constexpr std::string_view schema = "artcal-arm/1";
 constexpr std::size_t fingerprints_a_line = 8;
+constexpr double max_mechanical_coupling = 10.0;
 
 Convention read_convention(TomlTable& root) {
   const std::string name = root.text("convention");
@@ -33,8 +36,33 @@ Convention read_convention(TomlTable& root) {
   return name == "modified" ? Convention::Modified : Convention::Standard;
 }
 
+JointType read_type(TomlTable& table) {
+  const std::string type = table.text_or("type", "revolute");
+  if (type != "revolute" && type != "prismatic") {
+    table.fail("type",
+               fmt::format("the type of a joint is {}, expected \"revolute\" or \"prismatic\"", in_quotes(type)));
+  }
+  return type == "prismatic" ? JointType::Prismatic : JointType::Revolute;
+}
+
+// A prismatic joint has no encoder that turns, and no torque that bends it.
+void check_joint(TomlTable& table, const Joint& joint) {
+  if (!joint.is_prismatic()) {
+    return;
+  }
+  const JointErrors& errors = joint.errors;
+  const bool turns = errors.cosine != std::array<double, 2>{} || errors.sine != std::array<double, 2>{} ||
+                     errors.coupling != 0.0 || errors.compliance != 0.0 || joint.mechanical_coupling != 0.0;
+  if (turns) {
+    table.fail("type",
+               "a prismatic joint has no errors of an encoder that turns, no coupling and no compliance; it may have "
+               "`gain` and `expansion_per_K`");
+  }
+}
+
 Joint read_joint(TomlTable table, double length, double angle) {
   Joint joint;
+  joint.type = read_type(table);
   joint.a = table.number("a") * length;
   joint.d = table.number("d") * length;
   joint.theta = table.number("theta") * angle;
@@ -46,14 +74,22 @@ Joint read_joint(TomlTable table, double length, double angle) {
     table.fail("sign", fmt::format("the sign of a joint is {}, expected 1 or -1", joint.sign));
   }
   const auto end_at = [&](std::string_view key) {
-    return table.has(key) ? std::optional(table.number(key) * angle) : std::nullopt;
+    return table.has(key) ? std::optional(table.number(key) * (joint.is_prismatic() ? length : angle)) : std::nullopt;
   };
   joint.lowest = end_at("min");
   joint.highest = end_at("max");
   if (joint.lowest && joint.highest && *joint.lowest >= *joint.highest) {
     table.fail("min", "`min` of a joint is not below its `max`");
   }
+  joint.mechanical_coupling = table.number_or("mechanical_coupling", 0.0);
+  if (!(std::abs(joint.mechanical_coupling) <= max_mechanical_coupling)) {
+    table.fail("mechanical_coupling",
+               fmt::format("`mechanical_coupling` is {}, expected -{} to {}; it is 1 or -1 where "
+                           "a joint is stated against the ground",
+                           joint.mechanical_coupling, max_mechanical_coupling, max_mechanical_coupling));
+  }
   read_joint_errors(table, angle, joint);
+  check_joint(table, joint);
   return joint;
 }
 
@@ -84,6 +120,14 @@ void check_arm(const Arm& arm, TomlTable& root) {
   if (!has_masses(arm) && std::any_of(arm.joints.begin(), arm.joints.end(),
                                       [](const Joint& joint) { return joint.errors.compliance != 0.0; })) {
     root.fail("joint", "a joint bends under gravity, but not every joint states the mass of its link, `mass_kg`");
+  }
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    const Joint& joint = arm.joints[i];
+    const bool couples = joint.mechanical_coupling != 0.0 || (i > 0 && joint.errors.coupling != 0.0);
+    if (couples && (i == 0 || arm.joints[i - 1].is_prismatic())) {
+      root.fail("joint", fmt::format("joint {} is coupled to the joint before it, but {}", i + 1,
+                                     i == 0 ? "it is the first" : "that one is prismatic"));
+    }
   }
   if (arm.probes.empty()) {
     root.fail("probe", "the arm has no probe, expected at least one table headed [[probe]]");
@@ -164,17 +208,24 @@ std::optional<ArmIdentification> read_identification(TomlTable table, const Arm&
 }
 
 std::string joint_text(const Joint& joint) {
-  std::string text = fmt::format("[[joint]]\na = {}\nd = {}\ntheta = {}  # {:.6f} deg\nalpha = {}  # {:.6f} deg\n",
-                                 toml_number(joint.a), toml_number(joint.d), toml_number(joint.theta),
-                                 joint.theta / units::degree, toml_number(joint.alpha), joint.alpha / units::degree);
+  std::string text = fmt::format("[[joint]]\n{}a = {}\nd = {}\ntheta = {}  # {:.6f} deg\nalpha = {}  # {:.6f} deg\n",
+                                 joint.is_prismatic() ? "type = \"prismatic\"\n" : "", toml_number(joint.a),
+                                 toml_number(joint.d), toml_number(joint.theta), joint.theta / units::degree,
+                                 toml_number(joint.alpha), joint.alpha / units::degree);
   if (joint.has_beta || joint.beta != 0.0) {
     text += fmt::format("beta = {}  # {:.6f} deg\n", toml_number(joint.beta), joint.beta / units::degree);
   }
   if (joint.sign < 0.0) {
     text += "sign = -1\n";
   }
+  if (joint.mechanical_coupling != 0.0) {
+    text += fmt::format("mechanical_coupling = {}\n", toml_number(joint.mechanical_coupling));
+  }
   for (const auto& [key, end] : {std::pair{"min", joint.lowest}, std::pair{"max", joint.highest}}) {
-    text += end ? fmt::format("{} = {}  # {:.6f} deg\n", key, toml_number(*end), *end / units::degree) : "";
+    if (end) {
+      text += fmt::format("{} = {}", key, toml_number(*end));
+      text += joint.is_prismatic() ? "\n" : fmt::format("  # {:.6f} deg\n", *end / units::degree);
+    }
   }
   return text + joint_errors_text(joint) + "\n";
 }

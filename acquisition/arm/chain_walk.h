@@ -45,9 +45,10 @@ struct NoExpansion {
 };
 
 /// Walks the chain outwards; `visit(i, frame)` sees the axes of joint i, `visit(n, last)` the last frame's.
-/// Returns the tip. `growth(i, length)` is how long a length of link i is.
+/// Returns the tip. `expansion_factor(i, length)` is how long a length of link i is. `q` is looked at where a joint is
+/// prismatic.
 template <typename ExpansionFactor, typename Visit>
-[[gnu::always_inline]] inline Eigen::Vector3d ForwardKinematics::walk(const double* sines,
+[[gnu::always_inline]] inline Eigen::Vector3d ForwardKinematics::walk(const double* sines, const double* q,
                                                                       ExpansionFactor expansion_factor,
                                                                       Visit&& visit) const {
   Eigen::Vector3d x = Eigen::Vector3d::UnitX();
@@ -58,9 +59,15 @@ template <typename ExpansionFactor, typename Visit>
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const double a = expansion_factor(i, link.a);
-    const double d = expansion_factor(i, link.d);
-    const double sin_q = link.sign * sines[2 * i];
-    const double cos_q = sines[2 * i + 1];
+    double d = expansion_factor(i, link.d);
+    double sin_q = link.sign * sines[2 * i];
+    double cos_q = sines[2 * i + 1];
+    if (link.is_prismatic) {
+      assert(q != nullptr);
+      d += link.sign * q[i];
+      sin_q = 0.0;
+      cos_q = 1.0;
+    }
     const double sine = link.sin_theta * cos_q + link.cos_theta * sin_q;
     const double cosine = link.cos_theta * cos_q - link.sin_theta * sin_q;
     if (convention_ == Convention::Standard) {

@@ -40,12 +40,13 @@ ForwardKinematics::ForwardKinematics(const Arm& arm, const std::vector<Parameter
   for (const Joint& joint : arm.joints) {
     links_.push_back({joint.a, joint.d, joint.sign, std::sin(joint.theta), std::cos(joint.theta), std::sin(joint.alpha),
                       std::cos(joint.alpha), std::sin(joint.beta), std::cos(joint.beta),
-                      joint.has_beta || joint.beta != 0.0, -1, -1, -1, -1, -1});
-    errors = errors || artcal::has_errors(joint.errors);
+                      joint.has_beta || joint.beta != 0.0, joint.is_prismatic(), -1, -1, -1, -1, -1});
+    errors = errors || joint.mechanical_coupling != 0.0 || artcal::has_errors(joint.errors);
   }
   for (std::size_t i = 0; errors && i < arm.joints.size(); ++i) {
     const Joint& joint = arm.joints[i];
     errors_.push_back({joint.errors, joint.mass.value_or(0.0) * arm.gravity_in_base, {}});
+    errors_.back().size.coupling += joint.mechanical_coupling;
     errors_.back().columns.fill(-1);
     sags_ = sags_ || joint.errors.compliance != 0.0;
   }
@@ -83,9 +84,9 @@ Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading) cons
   const auto nothing = [](std::size_t, const Frame&) {};
   if (has_errors()) {
     const Posture posture = posture_of(reading);
-    return walk(posture.sines.data(), posture.grown(), nothing);
+    return walk(posture.sines.data(), posture.travels.data(), posture.grown(), nothing);
   }
-  return walk(reading.sines.data(), NoExpansion(), nothing);
+  return walk(reading.sines.data(), reading.q.data(), NoExpansion(), nothing);
 }
 
 Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading, double* derivative) const {
@@ -95,8 +96,8 @@ Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading, doub
     return put_with_errors(reading, derivative);
   }
   std::array<Frame, max_joints + 1> frames;
-  const Eigen::Vector3d tip =
-      walk(reading.sines.data(), NoExpansion(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+  const Eigen::Vector3d tip = walk(reading.sines.data(), reading.q.data(), NoExpansion(),
+                                   [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const Link& link = links_[i];
     const Frame& frame = frames[i];
@@ -121,10 +122,12 @@ Eigen::Vector3d ForwardKinematics::tip_by_joints(const JointReading& reading, do
     return put_by_joints_with_errors(reading, derivative);
   }
   std::array<Frame, max_joints + 1> frames;
-  const Eigen::Vector3d tip =
-      walk(reading.sines.data(), NoExpansion(), [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
+  const Eigen::Vector3d tip = walk(reading.sines.data(), reading.q.data(), NoExpansion(),
+                                   [&](std::size_t i, const Frame& frame) { frames[i] = frame; });
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    put(derivative, static_cast<int>(i), links_[i].sign * frames[i].z.cross(tip - frames[i].z_at));
+    const Frame& frame = frames[i];
+    const Eigen::Vector3d motion = links_[i].is_prismatic ? frame.z : frame.z.cross(tip - frame.z_at);
+    put(derivative, static_cast<int>(i), links_[i].sign * motion);
   }
   return tip;
 }
@@ -139,9 +142,9 @@ Eigen::Vector3d ForwardKinematics::axes_in_base(const JointReading& reading, dou
   };
   if (has_errors()) {
     const Posture posture = posture_of(reading);
-    return walk(posture.sines.data(), posture.grown(), note);
+    return walk(posture.sines.data(), posture.travels.data(), posture.grown(), note);
   }
-  return walk(reading.sines.data(), NoExpansion(), note);
+  return walk(reading.sines.data(), reading.q.data(), NoExpansion(), note);
 }
 
 }  // namespace artcal

@@ -20,7 +20,9 @@ struct JointReading {
   /// Sine and cosine of the joint angles, interleaved: sin q1, cos q1, sin q2, … They do not depend on the arm's
   /// parameters, so a recording computes them once and no iteration asks libm again.
   std::span<const double> sines;
-  std::span<const double> q;  ///< the angles, rad; arms with gains or couplings need them, whole turns and all
+  /// The angles, rad, and travels of prismatic joints, mm; arms with gains, couplings or prismatic joints need them,
+  /// whole turns and all.
+  std::span<const double> q;
   /// Of the arm, °C; arms that expand need it. NaN: the arm's reference.
   double temperature = std::numeric_limits<double>::quiet_NaN();
 
@@ -32,7 +34,7 @@ struct JointReading {
       : sines(sines_of_q), q(angles), temperature(of_arm) {}
 };
 
-/// Fills `sines` (2·n numbers) from joint readings `q` (n numbers, rad).
+/// Fills `sines` (2·n numbers) from joint readings `q` (n numbers, rad). Those of prismatic joints are not looked at.
 void joint_sines(std::span<const double> q, std::span<double> sines);
 
 /// The tip of an arm as a function of its joint readings, and its derivatives by every parameter, in one
@@ -61,14 +63,15 @@ class ForwardKinematics {
   [[nodiscard]] int radius_column() const { return column_radius_; }
 
   /// The tip's centre in the base frame, mm. REQUIRES: reading.sines.size() == 2·joint_count(); reading.q, of an arm
-  /// with gains or couplings or with columns for them.
+  /// with gains, couplings or prismatic joints or with columns for such errors.
   [[nodiscard]] Eigen::Vector3d tip_in_base(const JointReading& reading) const;
 
   /// The same, and its derivative by the parameters: `derivative` is 3 × column_count(), column-major,
   /// mm per unit of the parameter; columns of other probes' tips are zero.
   Eigen::Vector3d tip_in_base(const JointReading& reading, double* derivative) const;
 
-  /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad.
+  /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad, of a prismatic
+  /// joint mm per mm.
   Eigen::Vector3d tip_by_joints(const JointReading& reading, double* derivative) const;
 
   /// The tip's centre and the joints' axes in the base frame: unit vectors along them and a point on each
@@ -81,7 +84,7 @@ class ForwardKinematics {
     double sin_theta, cos_theta;  // of the zero offset
     double sin_alpha, cos_alpha;
     double sin_beta, cos_beta;
-    bool has_beta;
+    bool has_beta, is_prismatic;
     // Column of each parameter in the derivative, or -1.
     int column_a, column_d, column_theta, column_alpha, column_beta;
   };
@@ -95,7 +98,7 @@ class ForwardKinematics {
   struct Posture;
   struct Slopes;
   template <typename ExpansionFactor, typename Visit>
-  Eigen::Vector3d walk(const double* sines, ExpansionFactor expansion_factor, Visit&& visit) const;
+  Eigen::Vector3d walk(const double* sines, const double* q, ExpansionFactor expansion_factor, Visit&& visit) const;
 
   // Of an arm with errors.
   [[nodiscard]] bool has_errors() const { return !errors_.empty(); }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,10 @@ const std::array<ErrorKey, 8> error_keys{{
      "ppm/K"},
 }};
 
+bool is_coupling(const ErrorKey& known) { return std::string_view(known.key) == "coupling"; }
+
+bool is_whole_coupling(const ErrorKey& known, double number) { return is_coupling(known) && std::abs(number) == 1.0; }
+
 }  // namespace
 
 double most_of(ParameterKind joint_error) {
@@ -57,8 +62,18 @@ void read_joint_errors(TomlTable& table, double angle, Joint& joint) {
     const char* key = in_field_unit ? known.field_key : known.key;
     const double unit = in_field_unit ? known.field_unit : known.unit == 0.0 ? angle : known.unit;
     const double number = table.number_or(key, 0.0);
+    if (is_whole_coupling(known, number * unit) && joint.mechanical_coupling == 0.0) {
+      joint.mechanical_coupling = number * unit;  // no error of a gear is as large: a convention of the machine
+      continue;
+    }
     if (both) {
       table.fail(key, fmt::format("state either `{}` or `{}`, not both", known.key, known.field_key));
+    } else if (is_coupling(known) && std::abs(number * unit) > known.most) {
+      table.fail(key,
+                 fmt::format("`{}` is {}, more than an error of a joint that works ({:.4g} {}). Where the joint is "
+                             "stated against the ground instead of the link before it, state "
+                             "`mechanical_coupling = {:g}`",
+                             key, number, known.most / known.field_unit, known.field_name, number * unit));
     } else if (std::abs(number * unit) > known.most) {
       table.fail(key,
                  fmt::format("`{}` is {}, that is {:.4g} {}, expected at most {:.4g}; is its unit right?", key, number,

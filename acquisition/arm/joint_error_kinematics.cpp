@@ -48,7 +48,8 @@ void put_turned(double* sines, const JointReading& reading, std::size_t i, doubl
 }  // namespace
 
 Eigen::Vector3d ForwardKinematics::walk_frames(const Posture& posture, Frames& frames) const {
-  return walk(posture.sines.data(), posture.grown(), [&](std::size_t i, const Frame& frame) { frames.at[i] = frame; });
+  return walk(posture.sines.data(), posture.travels.data(), posture.grown(),
+              [&](std::size_t i, const Frame& frame) { frames.at[i] = frame; });
 }
 
 WeighedChain ForwardKinematics::weighed(const Frames& frames, const Eigen::Vector3d& tip) const {
@@ -68,12 +69,18 @@ ForwardKinematics::Posture ForwardKinematics::posture_of(const JointReading& rea
   posture.temperature_offset = std::isnan(reading.temperature) ? 0.0 : reading.temperature - reference_temperature_;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const JointErrors& size = errors_[i].size;
+    posture.expansion_factor[i] = 1.0 + size.expansion * posture.temperature_offset;
+    if (links_[i].is_prismatic) {
+      assert(!reading.q.empty());
+      posture.travels[i] = (1.0 + size.gain) * reading.q[i];
+      put_turned(posture.sines.data(), reading, i, 0.0);
+      continue;
+    }
     assert(!reading.q.empty() || (size.gain == 0.0 && size.coupling == 0.0));
     const auto by = factors_of(reading, i);
     posture.turns[i] = size.cosine[0] * by[0] + size.sine[0] * by[1] + size.cosine[1] * by[2] + size.sine[1] * by[3] +
                        (size.gain != 0.0 ? size.gain * by[4] : 0.0) +
                        (size.coupling != 0.0 ? size.coupling * by[5] : 0.0);
-    posture.expansion_factor[i] = 1.0 + size.expansion * posture.temperature_offset;
     put_turned(posture.sines.data(), reading, i, posture.turns[i]);
   }
   for (int pass = 0; sags_ && pass < sag_passes; ++pass) {
@@ -160,7 +167,11 @@ Eigen::Vector3d ForwardKinematics::put_with_errors(const JointReading& reading, 
     }
     const auto& columns = errors_[i].columns;
     const auto by = factors_of(reading, i);
-    for (std::size_t kind = 0; kind < by.size(); ++kind) {
+    if (link.is_prismatic) {
+      const double travel = reading.q.empty() ? not_known : reading.q[i];
+      put_motion(columns[index_of(ParameterKind::Gain)], {i + 1, none, none, link.sign * travel * frame.z});
+    }
+    for (std::size_t kind = 0; kind < by.size() && !link.is_prismatic; ++kind) {
       assert(columns[kind] < 0 || kind < index_of(ParameterKind::Gain) || !reading.q.empty());
       put(derivative, columns[kind], link.sign * by[kind] * slopes.by_angle.col(static_cast<Eigen::Index>(i)));
     }
@@ -188,9 +199,17 @@ Eigen::Vector3d ForwardKinematics::put_by_joints_with_errors(const JointReading&
   const Posture posture = posture_of(reading);
   Frames frames;
   const Eigen::Vector3d tip = walk_frames(posture, frames);
-  const Slopes slopes = slopes_of(frames, weighed(frames, tip));
+  const WeighedChain chain = weighed(frames, tip);
+  const Slopes slopes = slopes_of(frames, chain);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const JointErrors& size = errors_[i].size;
+    if (links_[i].is_prismatic) {
+      const Eigen::Vector3d shift = links_[i].sign * (1.0 + size.gain) * frames.at[i].z;
+      put(derivative, static_cast<int>(i),
+          sags_ ? Eigen::Vector3d(shift + slopes.of(chain.change({i + 1, none, none, shift}))) : shift);
+      continue;
+    }
     const auto by = factors_of(reading, i);
     const double turn = 1.0 + size.gain - size.cosine[0] * by[1] + size.sine[0] * by[0] - 2.0 * size.cosine[1] * by[3] +
                         2.0 * size.sine[1] * by[2];

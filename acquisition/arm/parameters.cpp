@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -56,6 +57,16 @@ auto& slot(AnyArm& arm, const Parameter& parameter) {
   return arm.probes[owner].tip_in_last.z();
 }
 
+// Whether the joint may have such an error: a prismatic one has no encoder that turns, and couplings are between
+// angles.
+bool may_have(const Arm& arm, int joint, ParameterKind error) {
+  const auto slides = [&](int i) { return arm.joints[static_cast<std::size_t>(i)].is_prismatic(); };
+  if (error == ParameterKind::Coupling) {
+    return joint > 0 && !slides(joint) && !slides(joint - 1);
+  }
+  return !slides(joint) || error == ParameterKind::Gain || error == ParameterKind::Expansion;
+}
+
 constexpr double typical_torque = 1e3;               // N·mm
 constexpr double typical_temperature_offset = 10.0;  // K
 }  // namespace
@@ -89,7 +100,7 @@ std::vector<Parameter> all_parameters(const Arm& arm) {
   for (int k = 0; k < joint_error_kinds; ++k) {
     const auto kind = static_cast<ParameterKind>(static_cast<int>(ParameterKind::Cosine1) + k);
     for (int joint = 0; joint < static_cast<int>(arm.joints.size()); ++joint) {
-      if (kind != ParameterKind::Coupling || joint > 0) {
+      if (may_have(arm, joint, kind)) {
         all.push_back({fmt::format("{}{}", symbols[static_cast<std::size_t>(k)], joint + 1), kind, joint});
       }
     }

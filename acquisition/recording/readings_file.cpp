@@ -239,12 +239,13 @@ Expected<void> read_readings(const std::filesystem::path& path, const ReadingUni
       return tl::unexpected(reading.error());
     }
     reading->file = static_cast<int>(recording.files.size()) - 1;
-    for (const std::size_t column : columns->joints) {
-      const auto value = csv->number(column, angle);
+    for (std::size_t j = 0; j < columns->joints.size(); ++j) {
+      const bool slides = recording.arm.joints[j].is_prismatic();
+      const auto value = csv->number(columns->joints[j], slides ? "a length" : angle);
       if (!value) {
         return tl::unexpected(value.error());
       }
-      q.push_back(*value * units.joint);
+      q.push_back(*value * (slides ? units.length : units.joint));
     }
     recording.readings.push_back(*reading);
   }
@@ -270,8 +271,13 @@ Expected<void> read_readings(const std::filesystem::path& path, const ReadingUni
 
 std::vector<std::string> suspicious_angles(const Recording& recording, double joint_unit) {
   double largest = 0.0;  // rad; readings without joint angles have NaN
-  for (const double q : recording.joints.reshaped()) {
-    largest = std::abs(q) > largest ? std::abs(q) : largest;
+  for (Eigen::Index joint = 0; joint < recording.joints.rows(); ++joint) {
+    if (recording.arm.joints[static_cast<std::size_t>(joint)].is_prismatic()) {
+      continue;
+    }
+    for (const double q : recording.joints.row(joint)) {
+      largest = std::abs(q) > largest ? std::abs(q) : largest;
+    }
   }
   std::vector<std::string> warnings;
   if (joint_unit == units::degree && recording.readings.size() >= 5 && largest > 0.0 &&

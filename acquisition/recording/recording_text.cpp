@@ -110,7 +110,8 @@ std::string readings_file_text(const Recording& recording) {
       fmt::format_to(to, "{},", column.field(recording, recording.readings[i]));
     }
     for (Eigen::Index j = 0; j < joints; ++j) {
-      fmt::format_to(to, "{:.12f}{}", recording.joints(j, static_cast<Eigen::Index>(i)) / units::degree,
+      const double unit = recording.arm.joints[static_cast<std::size_t>(j)].is_prismatic() ? 1.0 : units::degree;
+      fmt::format_to(to, "{:.12f}{}", recording.joints(j, static_cast<Eigen::Index>(i)) / unit,
                      j + 1 < joints ? "," : "\n");
     }
   }

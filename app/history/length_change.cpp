@@ -16,6 +16,12 @@ constexpr int lengths = 500;
 std::vector<double> drawn_posture(const Arm& arm, RandomStream& random) {
   std::vector<double> q;
   for (const Joint& joint : arm.joints) {
+    if (joint.is_prismatic()) {
+      const double travel = 0.5 * reach(arm);
+      const double low = joint.lowest.value_or(joint.highest.value_or(0.5 * travel) - travel);
+      q.push_back(random.uniform(low, joint.highest.value_or(low + travel)));
+      continue;
+    }
     const double low = joint.lowest.value_or(joint.highest.value_or(std::numbers::pi) - 2.0 * std::numbers::pi);
     q.push_back(random.uniform(low, joint.highest.value_or(low + 2.0 * std::numbers::pi)));
   }

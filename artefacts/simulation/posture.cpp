@@ -24,9 +24,10 @@ bool turn_into_stops(const VirtualArm& arm, const PostureRequest& request, Eigen
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const VirtualJoint& joint = arm.joints[i];
     const double noise = request.encoder_noise.size() > 0 ? request.encoder_noise[i] : 0.0;
-    const double low = joint.low + request.margin;
-    const double high = joint.high - request.margin;
-    if (q[i] + noise < low || q[i] + noise > high) {
+    const bool slides = arm.arm.joints[static_cast<std::size_t>(i)].is_prismatic();
+    const double low = joint.low + (slides ? 0.0 : request.margin);
+    const double high = joint.high - (slides ? 0.0 : request.margin);
+    if (!slides && (q[i] + noise < low || q[i] + noise > high)) {
       q[i] += turn * std::round((0.5 * (low + high) - q[i]) / turn);
     }
     inside = inside && q[i] + noise >= low && q[i] + noise <= high;
@@ -34,23 +35,29 @@ bool turn_into_stops(const VirtualArm& arm, const PostureRequest& request, Eigen
   return inside;
 }
 
-// Whether a reading a whole turn further on means the same posture: not where encoders gain, or turn with others.
+// Whether a reading a whole turn further on means the same posture: not where encoders gain, or turn with others by a
+// part of a turn.
 bool repeats_every_turn(const Arm& arm) {
-  return std::all_of(arm.joints.begin(), arm.joints.end(),
-                     [](const Joint& joint) { return joint.errors.gain == 0.0 && joint.errors.coupling == 0.0; });
+  return std::all_of(arm.joints.begin(), arm.joints.end(), [](const Joint& joint) {
+    return joint.is_prismatic() || (joint.errors.gain == 0.0 && joint.errors.coupling == 0.0 &&
+                                    joint.mechanical_coupling == std::round(joint.mechanical_coupling));
+  });
 }
 
 void push_off_stops(const VirtualArm& arm, const PostureRequest& request, Eigen::VectorXd& q) {
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const VirtualJoint& joint = arm.joints[i];
-    const double off = std::min(request.margin + 0.05, 0.25 * (joint.high - joint.low));
+    const double range = joint.high - joint.low;
+    const bool slides = arm.arm.joints[static_cast<std::size_t>(i)].is_prismatic();
+    const double off = slides ? 0.05 * range : std::min(request.margin + 0.05, 0.25 * range);
     q[i] = std::clamp(q[i], joint.low + off, joint.high - off);
   }
 }
 
 // Further from the base than the arm is long, column included: no start would lead there.
 bool is_beyond(const Arm& arm, const Eigen::Vector3d& target_in_base) {
-  return !(target_in_base.norm() <= reach(arm) + std::abs(arm.joints.front().a) + std::abs(arm.joints.front().d));
+  return !has_prismatic_joints(arm) &&
+         !(target_in_base.norm() <= reach(arm) + std::abs(arm.joints.front().a) + std::abs(arm.joints.front().d));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double near_axis = 0.1;  // of the reach, off the first axis
 constexpr double near_stop = 2.0 * units::degree;
+constexpr double near_end = 1.0;  // mm, of a prismatic joint's travel
 
 // Octants are counted about the shoulder, the height of the first joint's far end.
 Eigen::Vector3d shoulder_in_base(const Arm& arm) { return {0.0, 0.0, arm.joints.empty() ? 0.0 : arm.joints.front().d}; }
@@ -25,7 +26,8 @@ int joint_at_stop(const Recording& recording, const Arm& arm, const std::vector<
     const Joint& joint = arm.joints[j];
     for (const int i : readings) {
       const double q = recording.joints(static_cast<Eigen::Index>(j), i);
-      if ((joint.lowest && q < *joint.lowest + near_stop) || (joint.highest && q > *joint.highest - near_stop)) {
+      const double near = joint.is_prismatic() ? near_end : near_stop;
+      if ((joint.lowest && q < *joint.lowest + near) || (joint.highest && q > *joint.highest - near)) {
         return static_cast<int>(j) + 1;
       }
     }

@@ -11,11 +11,23 @@
 #include "acquisition/arm/forward_kinematics.h"
 
 namespace artcal {
+namespace {
+
+constexpr double usual_travel = 0.5;  // of a prismatic joint whose ends are not stated, of the arm's reach
+
+}  // namespace
 
 Eigen::VectorXd random_posture(const Arm& arm, RandomStream& random) {
   Eigen::VectorXd q(static_cast<Eigen::Index>(arm.joints.size()));
-  for (double& angle : q) {
-    angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    const Joint& joint = arm.joints[static_cast<std::size_t>(i)];
+    if (joint.is_prismatic()) {
+      const double travel = usual_travel * reach(arm);
+      const double low = joint.lowest.value_or(joint.highest.value_or(0.5 * travel) - travel);
+      q[i] = random.uniform(low, joint.highest.value_or(low + travel));
+    } else {
+      q[i] = random.uniform(-std::numbers::pi, std::numbers::pi);
+    }
   }
   return q;
 }
@@ -33,6 +45,11 @@ std::optional<Eigen::VectorXd> reach_with_joints(const Arm& arm, int probe, cons
   const double length = reach(arm);
   std::vector<double> sines(2 * arm.joints.size());
   Eigen::Matrix3Xd by_joints(3, start.size());
+  // A travel of a prismatic joint by the reach counts as one of a revolute joint by 1 rad.
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(start.size());
+  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+    unit[static_cast<Eigen::Index>(i)] = arm.joints[i].is_prismatic() ? length : 1.0;
+  }
   Eigen::VectorXd& q = start;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const std::span<const double> angles(q.data(), static_cast<std::size_t>(q.size()));
@@ -42,12 +59,13 @@ std::optional<Eigen::VectorXd> reach_with_joints(const Arm& arm, int probe, cons
     if (miss.norm() <= 1e-13 * length) {
       return q;
     }
+    by_joints = by_joints * unit.asDiagonal();
     // Damping that fades with the miss: steady far away, quadratic near.
     const double damping = 1e-3 * length * std::min(miss.norm(), length) + 1e-16 * length * length;
     const Eigen::Matrix3d normal = by_joints * by_joints.transpose() + damping * Eigen::Matrix3d::Identity();
     Eigen::VectorXd step = by_joints.transpose() * normal.ldlt().solve(miss);
     const double largest = step.cwiseAbs().maxCoeff();
-    q += (largest > 0.5 ? 0.5 / largest : 1.0) * step;
+    q += (largest > 0.5 ? 0.5 / largest : 1.0) * unit.cwiseProduct(step);
   }
   return std::nullopt;
 }

@@ -51,7 +51,8 @@ Expected<ArmWithout> identify_from(const Estimate& estimate, const Recording& re
   if (!prepared) {
     return tl::unexpected(prepared.error());
   }
-  return fit_groups(recording, rest, std::move(*prepared), with_noise, {estimate.weak, recording.arm})
+  return fit_groups(recording, rest, std::move(*prepared), with_noise,
+                    {estimate.weak, arm_for(with_noise.model, recording.arm)})
       .map([&](const GroupFit& refit) {
         const auto covariance = arm_covariance(refit.fit.scale, refit.fit.linearisation);
         return ArmWithout{refit.fit.arm, sources_of(covariance.value_or(Eigen::MatrixXd()), refit.fit.noise,

@@ -4,7 +4,7 @@
 
 #include "identification/evaluation/judgement.h"
 #include "identification/evaluation/residual_diagnostics.h"
-#include "identification/identifiability/parallel_axes.h"
+#include "identification/identifiability/fixed_hayati_angles.h"
 #include "identification/uncertainty/influence.h"
 
 namespace artcal {
@@ -40,7 +40,7 @@ Diagnostics diagnose(const System& system, const Estimate& estimate, const Estim
   }
   found.residuals = search_residuals(system, estimate.fit, recording);
   add(warning_of(found.residuals), found.warnings);
-  add(note_on_parallel_axes(recording, constraints, options, estimate.after), found.warnings);
+  add(note_on_fixed_hayati_angles(recording, constraints, options, estimate.after), found.warnings);
   return found;
 }
 

@@ -31,6 +31,9 @@ EffectColumns::EffectColumns(const System& system, const Recording& recording)
   };
   const auto joints = static_cast<int>(system.start.joints.size());
   for (int joint = 0; joint < joints; ++joint) {
+    if (system.start.joints[static_cast<std::size_t>(joint)].is_prismatic()) {
+      continue;  // nothing about it turns
+    }
     add(Effect::OncePerTurn, joint, 2);
     add(Effect::TwicePerTurn, joint, 2);
     add(Effect::Gain, joint, 1);

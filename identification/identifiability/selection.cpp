@@ -45,10 +45,11 @@ bool is_one_sum(Arm arm, const WristPair& pair) {
     joint.errors = {};
     sines.insert(sines.end(), {0.0, 1.0});  // one posture will do: both move the tip in the last joint's own frame
   }
+  const std::vector<double> q(arm.joints.size(), 0.0);
   Eigen::MatrixX2d moves(3 * std::ssize(arm.probes), 2);
   for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
     std::vector<double> by_both(6);
-    ForwardKinematics(arm, both, probe).tip_in_base(sines, by_both.data());
+    ForwardKinematics(arm, both, probe).tip_in_base({sines, q}, by_both.data());
     moves.middleRows<3>(3 * probe) = Eigen::Matrix<double, 3, 2>::Map(by_both.data());
   }
   moves.col(1) /= std::max(1.0, reach(arm));
@@ -122,10 +123,10 @@ Expected<Selection> select_parameters(const Arm& arm, const std::vector<std::str
                                      name_of(group)));
     }
     selection.groups.push_back(std::move(added));
-    for (const auto& name : fixed_with(group, arm)) {
-      if (!contains(free, name) && !contains(hold, name)) {
-        selection.fixed_first.push_back(name);
-      }
+  }
+  for (const auto& name : offsets_replaced_by_beta(arm, hold)) {
+    if (!contains(free, name) && !contains(hold, name)) {
+      selection.fixed_first.push_back(name);
     }
   }
   for (const WristPair& pair : wrist_pairs(arm)) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/statistics.h"
+#include "identification/evaluation/stationarity.h"
 #include "identification/identifiability/weak_parameters.h"
 #include "identification/initial/faint_turns.h"
 #include "identification/initial/nuisance_estimation.h"
@@ -20,6 +21,7 @@ constexpr double noise_tolerance = 1e-4;     // relative change at which the noi
 constexpr double good_for_the_noise = 1e-4;  // mm a step moves; the rounds that follow go on from there
 // Readings that agree to the last bit (simulated without noise) must not get infinite weight.
 constexpr double least_noise = 1e-9;   // mm
+constexpr int max_restarts = 5;        // where a solve ended short of the minimum
 constexpr double no_residuals = 1e-6;  // mm
 
 // Factor by which the noise in use is to be multiplied so that the residuals have their expected size.
@@ -41,6 +43,30 @@ void put_prior(const WeakPrior& prior, const System& system, SolveOptions& optio
   for (int i = 0; i < system.arm_size(); ++i) {
     const Parameter& parameter = system.free[static_cast<std::size_t>(i)];
     options.prior_at[i] = (value(prior.nominal, parameter) - value(system.start, parameter)) / system.scale[i];
+  }
+}
+
+// Goes on until the sum of squares is stationary, whatever parameters describe the arm. A solver that is held in a
+// narrow valley by a small trust region takes steps that move nothing, and is not at its end.
+Expected<ArmFit> at_minimum(const System& system, Eigen::VectorXd x, const SolveOptions& options, ArmFit fit) {
+  const int unknowns = system.constraints->residual_count() - fit.degrees_of_freedom;
+  for (int restart = 0;; ++restart) {
+    const ResidualParts parts = residual_parts(fit.linearisation, system.arm_size());
+    if (is_stationary(parts, fit.degrees_of_freedom, unknowns, options.still / fit.noise)) {
+      return fit;
+    }
+    if (restart == max_restarts) {
+      return no_solution(
+          fmt::format("the estimation did not converge: it ended where a linear step would still lower the residuals' "
+                      "root mean square by {:.2g} %. Check whether parameters of the arm describe the same motion, as "
+                      "d of nearly parallel axes do",
+                      100.0 * (1.0 - parts.orthogonal / std::hypot(parts.orthogonal, parts.tangential))));
+    }
+    Solution solution = solve(system, fit.weights, x, fit.unknowns, options);
+    if (solution.termination == Termination::Failed) {
+      return no_solution(fmt::format("the estimation did not converge ({})", solution.message));
+    }
+    take_solution(std::move(solution), system, x, fit);
   }
 }
 
@@ -153,7 +179,9 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   fit.noise = typical_noise(fit.weights);
   fit.counted = fit.weights;
   if (options.loss == Loss::None) {
-    return fit;
+    SolveOptions again = options;
+    put_prior(prior, system, again);
+    return at_minimum(system, x, again, std::move(fit));
   }
   SolveOptions robust = options;
   put_prior(prior, system, robust);

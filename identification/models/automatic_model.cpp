@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <boost/math/distributions/students_t.hpp>
 
+#include "acquisition/arm/parallel_axes.h"
 #include "acquisition/recording/tip_centres.h"
 #include "identification/evaluation/judgement.h"
 #include "identification/models/tried_model.h"
@@ -154,6 +155,9 @@ class ModelSearch {
     best_ = std::move(*tried);
     trials_.push_back(described(*best_, model_, 0));
     candidates_ = groups_beside(model_);
+    if (!parallel_axes(recording_.arm).empty()) {
+      std::erase(candidates_, ParameterGroup::Hayati);  // every model has it where it makes sense
+    }
     return {};
   }
 
@@ -204,7 +208,7 @@ class ModelSearch {
     // As if the model had been asked for, to the last digit; from the arm that was tried only if that fails.
     auto found = identify(recording_, constraints_, own);
     if (!found && found.error().code == ErrorCode::NoSolution) {
-      own.start = start_for(model_);
+      own.start = start_for();
       found = identify(recording_, constraints_, own);
     }
     if (found) {
@@ -215,10 +219,9 @@ class ModelSearch {
   }
 
  private:
-  // From the best arm so far, which a wider model contains; with Hayati's angle d and theta mean something else.
-  [[nodiscard]] std::optional<Arm> start_for(const Model& model) const {
-    const bool same_parameters = model.empty() || model.back() != ParameterGroup::Hayati;
-    return best_ && best_->estimate.misfits.empty() && best_->estimate.fixed.empty() && same_parameters
+  // From the best arm so far, which a wider model contains.
+  [[nodiscard]] std::optional<Arm> start_for() const {
+    return best_ && best_->estimate.misfits.empty() && best_->estimate.fixed.empty()
                ? std::optional(best_->estimate.fit.arm)
                : options_.start;
   }
@@ -227,7 +230,7 @@ class ModelSearch {
   // fixed, and what can be left out, may depend on the way.
   [[nodiscard]] Expected<TriedModel> tried_with(const Model& model) const {
     IdentifyOptions own = options_for(model, options_);
-    own.start = start_for(model);
+    own.start = start_for();
     auto tried = try_model(recording_, constraints_, own);
     const bool is_determined = tried && tried->estimate.fixed.empty() && first_refusal(tried->left_out).empty();
     if (!own.start || !tried || is_determined) {

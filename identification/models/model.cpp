@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "acquisition/arm/parallel_axes.h"
 #include "acquisition/recording/tip_centres.h"
 #include "core/text/in_quotes.h"
-#include "core/units.h"
 
 namespace artcal {
 namespace {
@@ -17,16 +18,8 @@ namespace {
 constexpr std::array<std::string_view, parameter_groups> names{
     "eccentricity", "eccentricity2", "gain", "coupling", "gravity", "thermal", "hayati", "tip", "radius"};
 
-constexpr double nearly_parallel = 5.0 * units::degree;
 // Of the reach: what is shorter does not grow by anything to speak of.
 constexpr double no_link = 0.01;
-
-// Whether the joint's link (in modified DH the one before it) joins two axes that are nearly parallel.
-bool joins_parallel_axes(const Arm& arm, std::size_t joint) {
-  const bool standard = arm.convention == Convention::Standard;
-  const bool joins = standard ? joint + 1 < arm.joints.size() : joint > 0;
-  return joins && std::abs(std::sin(arm.joints[joint].alpha)) < std::sin(nearly_parallel);
-}
 
 bool is_long(const Arm& arm, int joint) {
   const Joint& link = arm.joints[static_cast<std::size_t>(joint)];
@@ -108,11 +101,7 @@ Expected<ModelRequest> model_request(std::string_view text) {
 }
 
 Arm arm_for(const Model& model, Arm arm) {
-  if (contains(model, ParameterGroup::Hayati)) {
-    for (std::size_t joint = 0; joint < arm.joints.size(); ++joint) {
-      arm.joints[joint].has_beta = arm.joints[joint].has_beta || joins_parallel_axes(arm, joint);
-    }
-  }
+  arm = with_hayati_angles(std::move(arm));
   if (contains(model, ParameterGroup::Tip)) {
     for (Probe& probe : arm.probes) {
       probe.on_axis = false;
@@ -127,15 +116,20 @@ std::vector<Parameter> members_of(ParameterGroup group, const Arm& arm) {
   return members;
 }
 
-std::vector<std::string> fixed_with(ParameterGroup group, const Arm& arm) {
-  std::vector<std::string> fixed;
-  for (const Parameter& parameter : parameters_of(arm)) {
-    if (group == ParameterGroup::Hayati && parameter.kind == ParameterKind::D &&
-        joins_parallel_axes(arm, static_cast<std::size_t>(parameter.owner))) {
-      fixed.push_back(parameter.name);
+std::vector<std::string> offsets_replaced_by_beta(const Arm& arm, const std::vector<std::string>& hold) {
+  const auto all = parameters_of(arm);
+  std::vector<std::string> replaced;
+  for (const Parameter& parameter : all) {
+    const auto joint = static_cast<std::size_t>(parameter.owner);
+    if (parameter.kind != ParameterKind::Beta || !joins_parallel_axes(arm, joint) ||
+        std::find(hold.begin(), hold.end(), parameter.name) != hold.end()) {
+      continue;
     }
+    replaced.push_back(std::find_if(all.begin(), all.end(), [&](const Parameter& other) {
+                         return other.kind == ParameterKind::D && other.owner == parameter.owner;
+                       })->name);
   }
-  return fixed;
+  return replaced;
 }
 
 std::string obstacle_to(ParameterGroup group, const Arm& arm, const Recording& recording) {
@@ -147,10 +141,8 @@ std::string obstacle_to(ParameterGroup group, const Arm& arm, const Recording& r
     return there ? "" : "the readings do not all say the arm's temperature, `arm_temperature`";
   }
   if (group == ParameterGroup::Hayati) {
-    for (std::size_t joint = 0; joint < arm.joints.size(); ++joint) {
-      if (joins_parallel_axes(arm, joint)) {
-        return "";
-      }
+    if (!parallel_axes(arm).empty()) {
+      return "";
     }
     return "no neighbouring axes are parallel to within 5 degrees";
   }

@@ -86,6 +86,11 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
       const int reading = feature.readings[k];
       const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
       const Eigen::Vector3d tip = kinematics.tip_by_joints(system.sines_of(reading), by_joints.data());
+      for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+        if (arm.joints[i].is_prismatic()) {
+          by_joints.col(static_cast<Eigen::Index>(i)).setZero();  // its noise is a length, part of `probing`
+        }
+      }
       const Residual r = residual.at(k, tip, kinematics.tip_radius(), true);
       const Eigen::Matrix3d tip_covariance =
           probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();

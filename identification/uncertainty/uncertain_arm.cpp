@@ -26,6 +26,11 @@ UncertainTip UncertainArm::tip(const Eigen::VectorXd& q) const {
   tip.by_parameter.resize(3, kinematics_.column_count());
   tip.by_joint.resize(3, kinematics_.joint_count());
   kinematics_.tip_by_joints({sines, angles}, tip.by_joint.data());
+  for (std::size_t i = 0; i < arm_.joints.size(); ++i) {
+    if (arm_.joints[i].is_prismatic()) {
+      tip.by_joint.col(static_cast<Eigen::Index>(i)).setZero();  // its noise is a length, part of the probing noise
+    }
+  }
   tip.in_base = kinematics_.tip_in_base({sines, angles}, tip.by_parameter.data());
   return tip;
 }

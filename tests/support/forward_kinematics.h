@@ -46,7 +46,8 @@ template <typename T>
 struct ArmNumbers {
   Convention convention;
   std::vector<T> a, d, theta, alpha, beta;
-  std::vector<double> sign;
+  std::vector<double> sign, mechanical;
+  std::vector<bool> slides;
   std::vector<Eigen::Matrix<T, 3, 1>> tips;
   std::vector<T> radii;
   // JointErrors, a number a joint: harmonics as cosine, sine of the first, then of the second.
@@ -63,6 +64,8 @@ struct ArmNumbers {
       alpha.push_back(T(joint.alpha));
       beta.push_back(T(joint.beta));
       sign.push_back(joint.sign);
+      mechanical.push_back(joint.mechanical_coupling);
+      slides.push_back(joint.is_prismatic());
       for (std::size_t h = 0; h < 2; ++h) {
         harmonics[2 * h].push_back(T(joint.errors.cosine[h]));
         harmonics[2 * h + 1].push_back(T(joint.errors.sine[h]));
@@ -109,21 +112,33 @@ template <typename T>
 Transform<T> base_from_last(const ArmNumbers<T>& arm, const std::vector<T>& q) {
   Transform<T> base_from_here = Transform<T>::Identity();
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const T theta = arm.theta[i] + T(arm.sign[i]) * q[i];
+    const T moved = T(arm.sign[i]) * q[i];
+    const T theta = arm.slides[i] ? arm.theta[i] : T(arm.theta[i] + moved);
+    const T d = arm.slides[i] ? T(arm.d[i] + moved) : arm.d[i];
     const Transform<T> here_from_next = arm.convention == Convention::Standard
-                                            ? Transform<T>(turn(2, theta) * slide(2, arm.d[i]) * slide(0, arm.a[i]) *
+                                            ? Transform<T>(turn(2, theta) * slide(2, d) * slide(0, arm.a[i]) *
                                                            turn(0, arm.alpha[i]) * turn(1, arm.beta[i]))
                                             : Transform<T>(turn(0, arm.alpha[i]) * slide(0, arm.a[i]) *
-                                                           turn(1, arm.beta[i]) * turn(2, theta) * slide(2, arm.d[i]));
+                                                           turn(1, arm.beta[i]) * turn(2, theta) * slide(2, d));
     base_from_here = Transform<T>(base_from_here * here_from_next);
   }
   return base_from_here;
 }
 
-/// The centre of the probe's tip in the base frame, mm.
+/// The centre of the probe's tip in the base frame, mm, where each joint turns (or slides) by q against its link.
+template <typename T>
+Eigen::Matrix<T, 3, 1> tip_of_angles(const ArmNumbers<T>& arm, const std::vector<T>& q, int probe) {
+  return (base_from_last(arm, q) * arm.tips[probe].homogeneous()).template head<3>();
+}
+
+/// The same where q is what the joints read.
 template <typename T>
 Eigen::Matrix<T, 3, 1> tip_in_base(const ArmNumbers<T>& arm, const std::vector<T>& q, int probe) {
-  return (base_from_last(arm, q) * arm.tips[probe].homogeneous()).template head<3>();
+  std::vector<T> turned = q;
+  for (std::size_t i = 1; i < q.size(); ++i) {
+    turned[i] += T(arm.mechanical[i]) * q[i - 1];
+  }
+  return tip_of_angles(arm, turned, probe);
 }
 
 /// Torque of the weight of all links further out about each axis, N·mm: each pair of link and axis by itself.
@@ -139,10 +154,11 @@ std::vector<T> torques_of(const ArmNumbers<T>& arm, const std::vector<T>& rigid,
     axes.push_back(frame.template block<3, 1>(0, 2));
     points.push_back(frame.template block<3, 1>(0, 3));
     if (!standard) {
-      points.back() -= arm.d[i] * axes.back();  // the axis' own origin lies before the slide along it
+      points.back() -= (arm.d[i] + (arm.slides[i] ? T(T(arm.sign[i]) * rigid[i]) : T(0.0))) *
+                       axes.back();  // the axis' own origin lies before the slide along it
     }
   }
-  points.push_back(tip_in_base(arm, rigid, probe));
+  points.push_back(tip_of_angles(arm, rigid, probe));
   std::vector<T> torques(n, T(0.0));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i; j < n; ++j) {
@@ -171,7 +187,10 @@ Eigen::Matrix<T, 3, 1> tip_with_errors(ArmNumbers<T> arm, const std::vector<T>& 
   }
   std::vector<T> turned = q;
   for (std::size_t i = 0; i < n; ++i) {
-    turned[i] += arm.gain[i] * q[i] + (i > 0 ? arm.coupling[i] * q[i - 1] : T(0.0));
+    turned[i] += arm.gain[i] * q[i] + (i > 0 ? (arm.coupling[i] + T(arm.mechanical[i])) * q[i - 1] : T(0.0));
+    if (arm.slides[i]) {
+      continue;
+    }
     turned[i] += arm.harmonics[0][i] * cos(q[i]) + arm.harmonics[1][i] * sin(q[i]);
     turned[i] += arm.harmonics[2][i] * cos(T(2.0) * q[i]) + arm.harmonics[3][i] * sin(T(2.0) * q[i]);
   }
@@ -187,7 +206,7 @@ Eigen::Matrix<T, 3, 1> tip_with_errors(ArmNumbers<T> arm, const std::vector<T>& 
       rigid[i] = turned[i] + T(arm.sign[i]) * arm.compliance[i] * torques[i];
     }
   }
-  return tip_in_base(arm, rigid, probe);
+  return tip_of_angles(arm, rigid, probe);
 }
 
 }  // namespace artcal::testing

@@ -90,7 +90,8 @@ ReportedReadings readings_in(const Json& identification) {
                             numbers_in(json.at("before_mm")),
                             numbers_in(json.at("after_mm")),
                             lists_in(json.at("tip_mm")),
-                            lists_in(json.at("offset_mm"))};
+                            lists_in(json.at("offset_mm")),
+                            json.value("prismatic_joints", std::vector<int>{})};
   const std::size_t count = readings.feature.size();
   require_length(readings.joints, count);
   require_length({readings.before, readings.after}, count);
@@ -137,23 +138,25 @@ Figure residuals_by_joint(const ReportedReadings& readings) {
   const DrawnUnit unit = drawn_unit(largest_of(readings.after));
   Json panels = Json::array();
   std::size_t least_drawn = readings.after.size();
-  for (const auto& angles : readings.joints) {
+  for (std::size_t joint = 0; joint < readings.joints.size(); ++joint) {
+    const auto& angles = readings.joints[joint];
+    const bool slides = std::count(readings.prismatic.begin(), readings.prismatic.end(), joint + 1) > 0;
     const auto kept = thinned(angles, readings.after, max_drawn_a_joint);
     least_drawn = std::min(least_drawn, kept.size());
     Json x = Json::array(), y = Json::array();
     for (const int i : kept) {
-      x.push_back(drawn(angles[i] / units::degree));
+      x.push_back(drawn(angles[i] / (slides ? 1.0 : units::degree)));
       y.push_back(drawn(unit.per_mm * readings.after[i]));
     }
     panels.push_back({{"x", x}, {"y", y}});
   }
-  return {
-      "Deviations of the readings by joint angle, identified arm",
-      fmt::format("One panel a joint, its angle in degrees across. A wave of one or two periods a turn points to an "
-                  "eccentric encoder, a slope or a step to a joint that bends.{}",
-                  thinned_in_words(least_drawn, readings.after.size())),
-      {{"kind", "joints"}, {"unit", unit.name}, {"panels", panels}},
-      true};
+  return {"Deviations of the readings by joint angle, identified arm",
+          fmt::format("One panel a joint, its angle in degrees (of a prismatic joint its travel in mm) across. A wave "
+                      "of one or two periods a turn points to an "
+                      "eccentric encoder, a slope or a step to a joint that bends.{}",
+                      thinned_in_words(least_drawn, readings.after.size())),
+          {{"kind", "joints"}, {"unit", unit.name}, {"panels", panels}},
+          true};
 }
 
 }  // namespace artcal

@@ -15,6 +15,7 @@ struct ReportedReadings {
   std::vector<double> before, after;        ///< mm
   std::vector<std::vector<double>> tip;     ///< x, y, z, mm
   std::vector<std::vector<double>> offset;  ///< x, y, z, mm
+  std::vector<int> prismatic;               ///< numbers of joints whose readings are mm
 };
 
 /// Throws std::exception where columns are missing, of different lengths, or name a feature that is not there.

@@ -1,6 +1,7 @@
 #include "app/results/identification/model_json.h"
 
 #include "app/output/json_list.h"
+#include "app/results/hayati_angles.h"
 
 namespace artcal {
 namespace {
@@ -105,6 +106,10 @@ Json model_json(const Identification& result) {
   }
   return {{"text", model_text(result.model)},
           {"groups", groups},
+          {"hayati", json_list(hayati_angles(result),
+                               [](const HayatiAngle& each) -> Json {
+                                 return {{"angle", each.angle}, {"in_place_of", each.offset}};
+                               })},
           {"fixed", json_list(result.fixed_members, fixed_member_json)},
           {"trials", json_list(result.trials, trial_json)},
           {"chosen_by_left_out", result.left_out_chose_the_model}};

@@ -38,7 +38,9 @@ Json path_of(const Arm& arm, const Eigen::VectorXd& q, int probe) {
   for (int i = 0; i < joints; ++i) {
     const Eigen::Vector3d begin = points.col(i);
     path.push_back(point_json(begin));
-    path.push_back(point_json(begin + arm.joints[i].d * directions.col(i)));
+    const Joint& joint = arm.joints[static_cast<std::size_t>(i)];
+    const double travel = joint.is_prismatic() ? joint.sign * q[i] : 0.0;
+    path.push_back(point_json(begin + (joint.d + travel) * directions.col(i)));
   }
   path.push_back(point_json(tip));
   return path;
@@ -64,9 +66,16 @@ Json residuals_json(const Recording& recording, const Constraints& constraints, 
     }
     joints.push_back(std::move(angles));
   }
+  Json prismatic = Json::array();
+  for (std::size_t joint = 0; joint < recording.arm.joints.size(); ++joint) {
+    if (recording.arm.joints[joint].is_prismatic()) {
+      prismatic.push_back(joint + 1);
+    }
+  }
   return {{"reading", std::move(readings)},
           {"feature", std::move(features)},
           {"joints_rad", std::move(joints)},
+          {"prismatic_joints", std::move(prismatic)},
           {"before_mm", result.before.deviations},
           {"after_mm", result.after.deviations},
           {"tip_mm", columns_json(result.after.tips)},

@@ -8,6 +8,7 @@
 #include "app/output/phrases.h"
 #include "app/output/table.h"
 #include "app/results/artefact_summary.h"
+#include "app/results/hayati_angles.h"
 #include "app/results/identification/coupling_text.h"
 #include "app/results/shown_unit.h"
 #include "core/text/in_quotes.h"
@@ -297,9 +298,9 @@ std::string outliers_text(const Recording& recording, const Identification& resu
 std::string to_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
   const std::string warnings = result.warnings.empty() ? "" : warning_lines(result.warnings) + "\n";
   return title_text(recording, constraints, result) + summary_text(result) + warnings + model_tried_text(result) +
-         placements_text(result) + lengths_text(result) + parameters_text(result) + artefacts_text(result) +
-         noise_text(result) + alignment_text(result) + model_study_text(result.model_study) +
-         cannot_text(result.coupling) + outliers_text(recording, result);
+         hayati_angles_text(recording, result) + placements_text(result) + lengths_text(result) +
+         parameters_text(result) + artefacts_text(result) + noise_text(result) + alignment_text(result) +
+         model_study_text(result.model_study) + cannot_text(result.coupling) + outliers_text(recording, result);
 }
 
 }  // namespace artcal

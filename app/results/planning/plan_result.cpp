@@ -221,8 +221,9 @@ std::string to_csv(const PlanResult& result) {
     for (const int reading : chosen.readings) {
       text += fmt::format("{},{},{}", csv_field(place.name), csv_field(artefact.name),
                           csv_field(recording.features.name(recording.readings[reading].feature)));
-      for (const double q : recording.joints.col(reading)) {
-        text += fmt::format(",{:.4f}", q / units::degree);
+      for (Eigen::Index i = 0; i < recording.joints.rows(); ++i) {
+        const double unit = recording.arm.joints[static_cast<std::size_t>(i)].is_prismatic() ? 1.0 : units::degree;
+        text += fmt::format(",{:.4f}", recording.joints(i, reading) / unit);
       }
       text += pose_cells(place.base_from_artefact);
       text += '\n';

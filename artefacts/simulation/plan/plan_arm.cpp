@@ -48,6 +48,7 @@ void read_stops(TomlTable& table, VirtualJoint& joint, double angle) {
   if (!stops) {
     return;
   }
+  // `angle` is the unit of what the joint reads.
   joint.low = angle * stops->x();
   joint.high = angle * stops->y();
   if (!(joint.low < joint.high) || joint.high - joint.low > 7200.0 * units::degree) {
@@ -57,7 +58,12 @@ void read_stops(TomlTable& table, VirtualJoint& joint, double angle) {
   }
 }
 
-VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angle) {
+VirtualJoint read_virtual_joint(TomlTable table, VirtualJoint joint, double angle, bool slides) {
+  if (slides) {
+    joint.encoder_noise = length_at(table, "encoder");
+    read_stops(table, joint, 1.0);
+    return joint;
+  }
   joint.encoder_noise = angle_at(table, "encoder", joint.encoder_noise);
   joint.eccentricity[0] = read_first_harmonic(table, angle);
   joint.eccentricity[1] = {angle_at(table, "second_harmonic"), table.number_or("second_phase", 0.0) * angle};
@@ -110,6 +116,11 @@ bool is_harmonic(ParameterKind kind) { return kind >= ParameterKind::Cosine1 && 
 VirtualJoint plain_joint(const Joint& real, double encoder_noise) {
   constexpr double turn = 2.0 * std::numbers::pi;
   VirtualJoint joint;
+  if (real.is_prismatic()) {
+    joint.low = real.lowest.value_or(0.0);
+    joint.high = real.highest.value_or(joint.low);
+    return joint;
+  }
   joint.encoder_noise = encoder_noise;
   if (real.lowest || real.highest) {
     joint.low = real.lowest ? *real.lowest : *real.highest - turn;
@@ -179,7 +190,13 @@ void read_virtual_joints(TomlTable& root, VirtualArm& arm, double angle, double 
   arm.joints.clear();
   for (std::size_t i = 0; i < arm.arm.joints.size(); ++i) {
     const VirtualJoint plain = plain_joint(arm.arm.joints[i], encoder_noise);
-    arm.joints.push_back(tables.empty() ? plain : read_virtual_joint(std::move(tables[i]), plain, angle));
+    const bool slides = arm.arm.joints[i].is_prismatic();
+    arm.joints.push_back(tables.empty() ? plain : read_virtual_joint(std::move(tables[i]), plain, angle, slides));
+    if (slides && !(arm.joints.back().low < arm.joints.back().high)) {
+      root.fail("joint", fmt::format("joint {} is prismatic, and the ends of its travel are not known; state `min` and "
+                                     "`max` in the arm's file, or `stops` in its [[joint]] of the plan (in mm)",
+                                     i + 1));
+    }
   }
 }
 
@@ -187,7 +204,8 @@ void check_same_kind(TomlTable& root, const Arm& nominal, const Arm& real) {
   bool same = nominal.convention == real.convention && nominal.joints.size() == real.joints.size() &&
               nominal.probes.size() == real.probes.size();
   for (std::size_t i = 0; same && i < nominal.joints.size(); ++i) {
-    same = nominal.joints[i].sign == real.joints[i].sign;
+    same = nominal.joints[i].sign == real.joints[i].sign && nominal.joints[i].type == real.joints[i].type &&
+           nominal.joints[i].mechanical_coupling == real.joints[i].mechanical_coupling;
   }
   for (std::size_t i = 0; same && i < nominal.probes.size(); ++i) {
     same = nominal.probes[i].name == real.probes[i].name;
@@ -195,7 +213,7 @@ void check_same_kind(TomlTable& root, const Arm& nominal, const Arm& real) {
   if (!same) {
     root.fail("true_arm",
               "the true arm and the nominal one differ in more than their numbers, expected the same "
-              "convention, number and signs of joints, and probes");
+              "convention, number, types, signs and mechanical couplings of joints, and probes");
   }
 }
 

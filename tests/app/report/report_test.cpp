@@ -208,6 +208,9 @@ class ReportOfIdentification : public ::testing::Test {
   static void SetUpTestSuite() {
     whole_ = identified();
     for (Json& column : whole_["residuals"]) {  // a few readings are enough
+      if (column.empty()) {
+        continue;  // no joint is prismatic
+      }
       if (column[0].is_array()) {
         std::for_each(column.begin(), column.end(), [](Json& inner) { inner = first_of(inner); });
       } else {
