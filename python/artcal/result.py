@@ -142,6 +142,8 @@ class Result(Table):
         for i in range(count):
             row: dict[str, Any] = {}
             for key, column in residuals.items():
+                if key == "prismatic_joints":  # of the arm, not of a reading
+                    continue
                 nested = bool(column) and isinstance(column[0], list)
                 row[key] = [part[i] for part in column] if nested else column[i]
             row.update({key: features[row["feature"]][key] for key in ("artefact", "placement", "feature")})

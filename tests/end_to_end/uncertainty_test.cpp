@@ -242,7 +242,7 @@ TEST_F(MonteCarloCommand, RefusesWhatItCannotDo) {
            {{"--trials", "20", "--u-arm-temperature", "0.1 mm"}, "--u-arm-temperature is \"0.1 mm\""},
            {{"--trials", "20", "--noise", "0 um"}, "above zero"},
            {{"--trials", "20", "--probe", "star"}, "no probe"},
-           {{"--trials", "20", "--lengths", "5"}, "excludes"}}) {
+           {{"--trials", "20", "--lengths", "5"}, "exclude each other"}}) {
     const Ended refused = made(more);
     EXPECT_EQ(refused.exit_code, 2) << why;
     EXPECT_THAT(refused.err, HasSubstr(why));
