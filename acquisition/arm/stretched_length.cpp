@@ -1,6 +1,7 @@
 #include "acquisition/arm/stretched_length.h"
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -11,6 +12,7 @@ namespace artcal {
 namespace {
 
 constexpr int iterations = 40;
+constexpr int postures = 8;             // of the lower bound
 constexpr double far_foot = 10.0;       // times the length of the arm
 constexpr double shortest_link = 1e-3;  // mm; what is shorter counts by this in the weights
 
@@ -20,17 +22,31 @@ struct Axes {
   Eigen::Vector3d tip;
 };
 
-Axes axes_of(Arm arm, int probe) {
+Arm without_errors(Arm arm) {
   for (Joint& joint : arm.joints) {
     joint.errors = {};
     joint.mechanical_coupling = 0.0;
   }
-  const auto count = static_cast<Eigen::Index>(arm.joints.size());
-  const std::vector<double> q(arm.joints.size(), 0.0);
-  std::vector<double> sines(2 * arm.joints.size());
+  return arm;
+}
+
+// Joints that turn spread over the circle, others at zero; all at zero for number 0.
+std::vector<double> posture(const Arm& arm, int number) {
+  std::vector<double> q(arm.joints.size(), 0.0);
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    q[i] = arm.joints[i].is_prismatic()
+               ? 0.0
+               : 2.0 * std::numbers::pi / std::numbers::phi * number * static_cast<double>(i + 1);
+  }
+  return q;
+}
+
+Axes axes_of(const ForwardKinematics& kinematics, const std::vector<double>& q) {
+  const int count = kinematics.joint_count();
+  std::vector<double> sines(2 * q.size());
   joint_sines(q, sines);
   Axes axes{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count), {}};
-  axes.tip = ForwardKinematics(arm, {}, probe).axes_in_base({sines, q}, axes.directions.data(), axes.points.data());
+  axes.tip = kinematics.axes_in_base({sines, q}, axes.directions.data(), axes.points.data());
   return axes;
 }
 
@@ -74,21 +90,38 @@ double shortest_chain(const Axes& axes, const Eigen::Vector3d& foot) {
   return shortest;
 }
 
-// From where the swinging part begins, the first joint's far end along its axis. Where that is far from the arm,
-// because d of the first joint cancels with others, from the base's origin.
+// Where the swinging part begins: the first joint's far end along its axis.
+Eigen::Vector3d foot_of(const Arm& arm, const Axes& axes) {
+  return axes.points.col(0) + arm.joints.front().d * axes.directions.col(0);
+}
+
+// From the foot. Where that is far from the arm, because d of the first joint cancels with others, from the base's
+// origin.
 double shortest_chain(const Arm& arm, const Axes& axes) {
-  const Eigen::Vector3d foot = axes.points.col(0) + arm.joints.front().d * axes.directions.col(0);
-  const double from_foot = shortest_chain(axes, foot);
+  const double from_foot = shortest_chain(axes, foot_of(arm, axes));
   const double from_base = shortest_chain(axes, Eigen::Vector3d::Zero());
   return from_foot > far_foot * from_base ? from_base : from_foot;
 }
 
 }  // namespace
 
+double least_stretched_length(const Arm& arm) {
+  double longest = 0.0;
+  for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
+    const ForwardKinematics kinematics(without_errors(arm), {}, probe);
+    for (int number = 0; number < postures; ++number) {
+      const Axes axes = axes_of(kinematics, posture(arm, number));
+      longest = std::max(longest, std::min((axes.tip - foot_of(arm, axes)).norm(), axes.tip.norm()));
+    }
+  }
+  return longest;
+}
+
 double stretched_length(const Arm& arm) {
   double longest = 0.0;
   for (int probe = 0; probe < static_cast<int>(arm.probes.size()); ++probe) {
-    longest = std::max(longest, shortest_chain(arm, axes_of(arm, probe)));
+    const ForwardKinematics kinematics(without_errors(arm), {}, probe);
+    longest = std::max(longest, shortest_chain(arm, axes_of(kinematics, posture(arm, 0))));
   }
   return longest;
 }

@@ -11,4 +11,8 @@ namespace artcal {
 /// Weiszfeld 1937; every iteration is a bound). Travels of prismatic joints are not counted.
 double stretched_length(const Arm& arm);
 
+/// A lower bound of stretched_length(), mm, from eight passes along the arm: a chain is never shorter than the straight
+/// line between its ends, in whatever posture.
+double least_stretched_length(const Arm& arm);
+
 }  // namespace artcal

@@ -123,7 +123,7 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   add_remarks(outcome.entry, job.key, "warning", result->warnings);
   if (keep == Keep::RowsAndResults) {
     auto json = to_json(job.recording, job.constraints, asked, *result, {});
-    json["findings"] = findings_json(inspected.inspection.findings);
+    json["findings"] = findings_json(inspected.findings);
     json["residuals"] = residuals_json(job.recording, job.constraints, *result);
     outcome.results.push_back(reported(std::move(json)));
   }

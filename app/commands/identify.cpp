@@ -111,7 +111,7 @@ Expected<int> identify_and_tell(const Request& request) {
   }
   if (!request.common.json.empty() || !request.report.empty()) {
     auto json = to_json(*recording, *constraints, *options, *result, timings);
-    json["findings"] = findings_json(run.inspection.findings);
+    json["findings"] = findings_json(run.findings);
     json["residuals"] = residuals_json(*recording, *constraints, *result);
     if (auto written = write_identification_report(request.report, json, *recording, *options, *result); !written) {
       return tl::unexpected(written.error());

@@ -49,10 +49,15 @@ Findings find_undetermined_centres(const Recording& recording, const Constraints
   return evaluation ? find_undetermined_centres(recording, constraints, *evaluation) : Findings{};
 }
 
+Findings find_mistakes_without_fit(const Recording& recording, const Constraints& constraints) {
+  Findings findings = find_repeated_postures(recording);
+  append(findings, find_wrong_documents(recording, constraints.artefacts));
+  return findings;
+}
+
 Inspection inspect_recording(const Recording& recording, const Constraints& constraints) {
   Inspection inspection;
-  append(inspection.findings, find_repeated_postures(recording));
-  append(inspection.findings, find_wrong_documents(recording, constraints.artefacts));
+  inspection.findings = find_mistakes_without_fit(recording, constraints);
   append(inspection.remarks, find_missing_documents(recording, constraints.artefacts));
   if (require_joints(recording)) {
     inspection.usage = usage_of(recording);

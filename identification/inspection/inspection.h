@@ -18,7 +18,10 @@ struct Inspection {
   Usage usage;
 };
 
-/// Everything that can be said without a fit: repeated postures, documents, what of the arm was used.
+/// Mistakes that show without a fit: repeated postures, documents.
+Findings find_mistakes_without_fit(const Recording& recording, const Constraints& constraints);
+
+/// These, and remarks about documents and about what of the arm was used.
 Inspection inspect_recording(const Recording& recording, const Constraints& constraints);
 
 /// The same, balls whose centre is not determined, a quick fit of the recording as it is written and, where that leaves

@@ -34,7 +34,7 @@ Findings find_repeated_postures(const Recording& recording) {
   std::stable_sort(order.begin(), order.end(),
                    [&](Eigen::Index one, Eigen::Index other) { return joints(0, one) < joints(0, other); });
   std::vector<Eigen::Index> repeats(static_cast<std::size_t>(joints.cols()), -1);
-  // Readings are near one another in the order of the first joint; a scan that stands still is not compared pair by
+  // Readings are near one another in the order of the first joint; a scan at rest is not compared pair by
   // pair, since a reading that repeats another is passed over.
   for (std::size_t a = 0; a < order.size(); ++a) {
     for (std::size_t b = a + 1; b < order.size() && repeats[static_cast<std::size_t>(order[a])] < 0 &&

@@ -72,6 +72,10 @@ Usage usage_of(const Recording& recording) {
   std::set<std::tuple<bool, bool, bool, bool>> places;
   std::set<std::tuple<int, int, int>> directions;
   std::map<int, Sides> placements;
+  Arm without_stylus = recording.arm;  // tips where the last joint's frame is
+  for (Probe& probe : without_stylus.probes) {
+    probe.tip_in_last.setZero();
+  }
   for (Eigen::Index i = 0; i < joints.cols(); ++i) {
     const Reading& reading = recording.readings[static_cast<std::size_t>(i)];
     const Eigen::VectorXd q = joints.col(i);
@@ -81,12 +85,9 @@ Usage usage_of(const Recording& recording) {
     usage.nearest = std::min(usage.nearest, distance);
     usage.farthest = std::max(usage.farthest, distance);
     places.insert({from_shoulder.x() > 0.0, from_shoulder.y() > 0.0, from_shoulder.z() > 0.0, distance > shell});
-    Arm without = recording.arm;
-    Probe& probe = without.probes[static_cast<std::size_t>(reading.probe)];
-    const double length = probe.tip_in_last.norm();
+    const double length = recording.arm.probes[static_cast<std::size_t>(reading.probe)].tip_in_last.norm();
     if (length > 0.0) {
-      probe.tip_in_last.setZero();
-      directions.insert(nearest_direction((tip_in_base - tip_at(without, reading.probe, q)) / length));
+      directions.insert(nearest_direction((tip_in_base - tip_at(without_stylus, reading.probe, q)) / length));
     }
     Sides& sides = placements[reading.placement];
     const Elbow elbow = elbow_side(recording.arm, reading.probe, q);

@@ -20,14 +20,25 @@ constexpr double large_residuals = 0.15;    // mm a coordinate
 constexpr double gross_verification = 0.3;  // mm
 constexpr std::string_view implausible = " [plausible_values]";
 
-Findings repeated_rows(const std::vector<std::string>& warnings) {
-  Findings findings;
+// Rows that the reading of the file left out come first.
+Findings with_repeated_rows(const std::vector<std::string>& warnings, Findings&& findings) {
+  Findings all;
   for (const std::string& warning : warnings) {
     if (is_coincidence_warning(warning)) {
-      findings.push_back({FindingKind::RepeatedReadings, "", warning});
+      all.push_back({FindingKind::RepeatedReadings, "", warning});
     }
   }
-  return findings;
+  all.insert(all.end(), std::make_move_iterator(findings.begin()), std::make_move_iterator(findings.end()));
+  return all;
+}
+
+std::vector<std::string> take_coincidence_warnings(Recording& recording) {
+  const auto others =
+      std::stable_partition(recording.warnings.begin(), recording.warnings.end(),
+                            [](const std::string& warning) { return !is_coincidence_warning(warning); });
+  std::vector<std::string> taken(std::make_move_iterator(others), std::make_move_iterator(recording.warnings.end()));
+  recording.warnings.erase(others, recording.warnings.end());
+  return taken;
 }
 
 AsWritten as_written_of(const Identification& result) {
@@ -75,19 +86,16 @@ bool is_told(const std::vector<std::string>& warnings, const Finding& finding) {
 Inspection inspected(Recording& recording, const Constraints& constraints, const IdentifyOptions* options) {
   Inspection inspection =
       options != nullptr ? inspect(recording, constraints, *options) : inspect_recording(recording, constraints);
-  Findings repeated = repeated_rows(recording.warnings);
-  inspection.findings.insert(inspection.findings.begin(), repeated.begin(), repeated.end());
-  std::erase_if(recording.warnings, [](const std::string& warning) { return is_coincidence_warning(warning); });
+  inspection.findings = with_repeated_rows(take_coincidence_warnings(recording), std::move(inspection.findings));
   return inspection;
 }
 
 InspectedIdentification run_inspected(const Recording& recording, const Constraints& constraints,
                                       const IdentifyOptions& options) {
-  InspectedIdentification run{run_identification(recording, constraints, options),
-                              inspect_recording(recording, constraints)};
-  Findings& findings = run.inspection.findings;
-  Findings repeated = repeated_rows(recording.warnings);
-  findings.insert(findings.begin(), repeated.begin(), repeated.end());
+  InspectedIdentification run{
+      run_identification(recording, constraints, options),
+      with_repeated_rows(recording.warnings, find_mistakes_without_fit(recording, constraints))};
+  Findings& findings = run.findings;
   const bool failed = !run.result;
   if (failed && (run.result.error().code != ErrorCode::NoSolution || !is_misfit(run.result.error()))) {
     return run;
@@ -99,15 +107,13 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
     Explanation explanation = failed || is_large ? explain(recording, constraints, options, as_written)
                                                  : explain_by_radii(recording, constraints, options, as_written);
     if (explanation.finding) {
-      run.inspection.is_gross_misfit = true;
       findings.push_back(*explanation.finding);
       if (!options.accept_misfit || failed) {
         const auto error = failed ? std::optional(run.result.error()) : std::nullopt;
         run.result = tl::unexpected(explained_error(*explanation.finding, error));
       }
     } else if (failed) {
-      run.inspection.excluded = std::move(explanation.excluded);
-      run.result = tl::unexpected(unexplained_error(run.result.error(), run.inspection.excluded));
+      run.result = tl::unexpected(unexplained_error(run.result.error(), explanation.excluded));
     }
   }
   if (run.result) {
@@ -127,9 +133,11 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
 Findings findings_for_verification(Recording& recording, const Constraints& constraints, const Arm& arm) {
   const bool by_joints = !arm.joints.empty() && require_joints(recording);
   const auto evaluation = by_joints ? evaluate(recording, constraints, arm) : tl::unexpected(Error{});
-  const bool is_gross = evaluation && evaluation->overall.rms > gross_verification;
-  const IdentifyOptions options = recorded_options(recording);
-  return inspected(recording, constraints, is_gross ? &options : nullptr).findings;
+  if (evaluation && evaluation->overall.rms > gross_verification) {
+    const IdentifyOptions options = recorded_options(recording);
+    return inspected(recording, constraints, &options).findings;
+  }
+  return with_repeated_rows(take_coincidence_warnings(recording), find_mistakes_without_fit(recording, constraints));
 }
 
 Findings findings_of_verification(const std::vector<std::string>& missing) {

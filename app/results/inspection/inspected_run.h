@@ -19,7 +19,7 @@ Inspection inspected(Recording& recording, const Constraints& constraints, const
 /// carries it as a finding. Findings are warnings of the result too.
 struct InspectedIdentification {
   Expected<Identification> result;
-  Inspection inspection;
+  Findings findings;
 };
 InspectedIdentification run_inspected(const Recording& recording, const Constraints& constraints,
                                       const IdentifyOptions& options);

@@ -121,5 +121,17 @@ TEST(StretchedLength, BoundsEveryPosture) {
   }
 }
 
+// The bound decides, without the shortest chain, for arms whose largest d is no longer than twice it.
+TEST(StretchedLength, IsNotBelowItsLowerBound) {
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    RandomStream random(i, "bound of the stretched length");
+    const Arm arm = testing::random_arm(random);
+    EXPECT_LE(least_stretched_length(arm), stretched_length(arm) + 1e-9) << i;
+  }
+  for (const Arm& arm : {test::nominal_ur10e(), test::calibrated_ur10e()}) {
+    EXPECT_GT(least_stretched_length(arm), 0.5 * stretched_length(arm)) << "or it settles little";
+  }
+}
+
 }  // namespace
 }  // namespace artcal
