@@ -36,6 +36,7 @@ struct CommonOptions {
                                    int exit_code = 0) const;
 };
 
+Run set_up_inspect(CLI::App& parser);
 Run set_up_identify(CLI::App& parser);
 Run set_up_coupling(CLI::App& parser);
 Run set_up_segment(CLI::App& parser);

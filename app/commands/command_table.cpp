@@ -1,7 +1,5 @@
 #include "app/commands/command_table.h"
 
-#include "app/commands/inspect.h"
-
 namespace artcal {
 
 const std::vector<Command>& command_table() {

@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include "app/commands/command.h"
-#include "app/output/json_file.h"
 #include "app/output/output.h"
+#include "app/results/result_reader.h"
 #include "app/results/result_table.h"
-#include "app/results/schema_version.h"
-#include "core/files/size_limits.h"
-#include "core/files/text_file.h"
 
 namespace artcal {
 namespace {
@@ -18,26 +15,6 @@ struct Request {
   bool csv = false, quiet = false;
 };
 
-Expected<nlohmann::ordered_json> read(const std::string& path) {
-  const auto file = read_text_file(path, largest::result);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  return parse_json(file->text, "result of artcal, as --json writes it", path)
-      .and_then([&](nlohmann::ordered_json json) -> Expected<nlohmann::ordered_json> {
-        if (!json.is_object() || !json.contains("kind") || !json.contains("schema_version")) {
-          return bad_input("this is no result of artcal, expected a file that --json wrote", path);
-        }
-        if (!bring_up_to_date(json)) {
-          return bad_input(fmt::format("this result has a schema_version that this version of artcal does not read, "
-                                       "expected 1 or {}",
-                                       schema_version),
-                           path);
-        }
-        return json;
-      });
-}
-
 Expected<int> convert(const Request& request) {
   if (!request.csv) {
     return wrong_usage("say what to convert to: --csv");
@@ -45,11 +22,11 @@ Expected<int> convert(const Request& request) {
   if (auto checked = check_outputs({request.output}, {{request.result, ""}}); !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto json = read(request.result);
-  if (!json) {
-    return tl::unexpected(json.error());
+  const auto result = read_result_json(request.result);
+  if (!result) {
+    return tl::unexpected(result.error());
   }
-  auto text = result_csv(*json, request.part);
+  auto text = result_csv(result->json, request.part);
   if (!text) {
     return tl::unexpected(Error{text.error().code, text.error().message, request.result});
   }

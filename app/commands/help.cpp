@@ -23,12 +23,12 @@ struct Request {
 Expected<CommandDescription> command_named(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* at = &program;
   for (const std::string& word : words) {
-    const auto inside = at->get_subcommands([&](const CLI::App* app) { return app->get_name() == word; });
-    if (inside.empty()) {
+    const CLI::App* inside = command_in(*at, word);
+    if (inside == nullptr) {
       return wrong_usage(
           fmt::format("{}; {} --help lists the commands", unknown_command(*at, word), describe(*at).name()));
     }
-    at = inside.front();
+    at = inside;
   }
   return describe(*at);
 }

@@ -1,8 +1,9 @@
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "acquisition/recording/recording_file.h"
-#include "app/commands/inspect.h"
+#include "app/commands/command.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
@@ -26,18 +27,17 @@ struct Request {
   bool no_fit = false;
 };
 
-// What a verification would say of limits and specification; nothing where the recording asks for none or it cannot be.
-Findings findings_by_standard(const Request& request, const Recording& recording) {
-  if (recording.verify.standard.empty() || recording.specification_path.empty()) {
-    return {};
-  }
-  const auto access = request.access.of(request.recording);
+bool asks_for_verification(const Recording& recording) {
+  return !recording.verify.standard.empty() && !recording.specification_path.empty();
+}
+
+// What a verification would say of limits and specification; nothing where it cannot be.
+Findings findings_by_standard(const Request& request, Recording&& as_read) {
+  const VerificationSources sources{"", "", request.access.of(request.recording), request.access.limits};
   const auto result =
-      read_recording(request.recording, access)
-          .and_then([&](Recording&& again) {
-            return read_verification_material(std::move(again), {"", "", access, request.access.limits});
-          })
-          .and_then([](VerificationMaterial&& material) { return run_verification(material, "", ""); });
+      read_verification_material(std::move(as_read), sources).and_then([](VerificationMaterial&& material) {
+        return run_verification(material, "", "");
+      });
   return result ? findings_of_verification(result->verification.missing) : Findings{};
 }
 
@@ -58,6 +58,7 @@ Expected<int> inspect_and_tell(const Request& request) {
   if (!recording) {
     return tl::unexpected(recording.error());
   }
+  auto to_verify = asks_for_verification(*recording) ? std::optional(*recording) : std::nullopt;
   const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
@@ -69,7 +70,9 @@ Expected<int> inspect_and_tell(const Request& request) {
   }
   const IdentifyOptions options = recorded_options(*recording);
   Inspection inspection = inspected(*recording, *constraints, request.no_fit ? nullptr : &options);
-  add_new(inspection.findings, findings_by_standard(request, *recording));
+  if (to_verify) {
+    add_new(inspection.findings, findings_by_standard(request, std::move(*to_verify)));
+  }
   return request.common.tell(to_json(*recording, *constraints, inspection),
                              to_text(*recording, *constraints, inspection),
                              inspection.findings.empty() ? 0 : mistakes_found);

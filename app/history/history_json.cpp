@@ -2,6 +2,7 @@
 
 #include "app/history/history_text.h"
 #include "app/history/over_time.h"
+#include "app/output/text_or_null.h"
 #include "app/results/result_head.h"
 #include "app/results/result_names.h"
 #include "core/statistics.h"
@@ -10,8 +11,6 @@ namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json entry_json(const HistoryEntry& entry) {
   return {{"recording", entry.recording},

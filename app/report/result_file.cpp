@@ -4,11 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "app/output/json_file.h"
-#include "app/results/schema_version.h"
+#include "app/results/result_reader.h"
 #include "artefacts/verification/decision/specification.h"
-#include "core/files/size_limits.h"
-#include "core/files/text_file.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -54,18 +51,11 @@ ReportedResult reported(Json json) {
 }
 
 Expected<ReportedResult> read_result(const std::string& path, std::vector<InputFile>& inputs) {
-  const auto file = read_text_file(path, largest::result);
-  if (!file) {
-    return tl::unexpected(file.error());
+  auto result = read_result_json(path);
+  if (!result) {
+    return tl::unexpected(result.error());
   }
-  auto parsed = parse_json(file->text, "result of artcal, as --json writes it", path);
-  if (!parsed) {
-    return tl::unexpected(parsed.error());
-  }
-  Json& json = *parsed;
-  if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string() || !json.contains("schema_version")) {
-    return bad_input("this is no result of artcal, expected a file that --json wrote", path);
-  }
+  Json& json = result->json;
   const auto kind = kind_named(json["kind"].get<std::string>());
   if (!kind) {
     return bad_input(
@@ -74,12 +64,6 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
             in_quotes(json["kind"].get<std::string>())),
         path);
   }
-  if (!bring_up_to_date(json)) {
-    return bad_input(fmt::format("this result has a schema_version that this version of artcal does not read, expected "
-                                 "1 or {}",
-                                 schema_version),
-                     path);
-  }
   if (const std::string unknown = *kind == ResultKind::Verification ? unknown_quantity(json) : ""; !unknown.empty()) {
     return bad_input(
         fmt::format("a value of this verification is of the quantity {}, expected {}; was the file made by a "
@@ -87,7 +71,7 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
                     in_quotes(unknown), quantity_names()),
         path);
   }
-  inputs.push_back({path, file->sha256});
+  inputs.push_back({path, result->sha256});
   return ReportedResult{*kind, std::move(json), path};
 }
 

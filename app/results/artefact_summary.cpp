@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/output/text_or_null.h"
 #include "artefacts/artefact/artefact_type.h"
 #include "core/text/in_quotes.h"
 
@@ -16,8 +17,6 @@ bool has_certificate(const Artefact& artefact) {
   const Certificate& c = artefact.certificate;
   return !(c.number.empty() && c.laboratory.empty() && c.date.empty() && c.valid_until.empty());
 }
-
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json certificate_json(const Artefact& artefact) {
   if (!has_certificate(artefact)) {

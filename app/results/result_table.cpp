@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "acquisition/csv/csv_text.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -13,23 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A value in a field: text in quotes where it holds what separates fields or begins like a formula of a spreadsheet.
 std::string field(const Json& value) {
-  if (value.is_null()) {
-    return "";
-  }
-  if (!value.is_string()) {
-    return value.dump();
-  }
-  std::string text = value.get<std::string>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c == '"' ? "\"\"" : std::string(1, c);
-  }
-  return quoted + "\"";
+  return value.is_null() ? "" : value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
 void flatten(const std::string& name, const Json& value, std::vector<std::pair<std::string, std::string>>& fields) {
@@ -141,7 +127,7 @@ std::string csv_of_rows(const Json& rows) {
   };
   std::vector<std::string> header;
   std::transform(columns.begin(), columns.end(), std::back_inserter(header),
-                 [](const std::string& name) { return field(name); });
+                 [](const std::string& name) { return csv_field(name); });
   add_line(header);
   for (const auto& row : flat) {
     std::vector<std::string> line(columns.size());

@@ -14,15 +14,15 @@
 namespace artcal {
 namespace {
 
-// The command that the words name, and how many of them do.
+// The innermost command that the words name, one inside the other.
 const CLI::App& command_of(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* at = &program;
   for (const std::string& word : words) {
-    const auto inside = at->get_subcommands([&](const CLI::App* app) { return app->get_name() == word; });
-    if (inside.empty()) {
+    const CLI::App* inside = command_in(*at, word);
+    if (inside == nullptr) {
       break;
     }
-    at = inside.front();
+    at = inside;
   }
   return *at;
 }
@@ -185,6 +185,11 @@ std::string with_help(const std::string& sentence, const std::string& help) {
 }
 
 }  // namespace
+
+const CLI::App* command_in(const CLI::App& parser, const std::string& name) {
+  const auto inside = parser.get_subcommands([&](const CLI::App* app) { return app->get_name() == name; });
+  return inside.empty() ? nullptr : inside.front();
+}
 
 std::vector<std::string> command_names(const CLI::App& parser) {
   std::vector<std::string> names;

@@ -12,6 +12,9 @@ namespace artcal {
 std::string usage_sentence(const CLI::App& program, const CLI::ParseError& error,
                            const std::vector<std::string>& arguments);
 
+/// The command of that name inside a command, or null.
+const CLI::App* command_in(const CLI::App& parser, const std::string& name);
+
 /// The names of the commands inside a command.
 std::vector<std::string> command_names(const CLI::App& parser);
 

@@ -7,22 +7,14 @@
 #include "core/text/in_quotes.h"
 
 namespace artcal {
-namespace {
-
-std::string path_of(const Recording& recording, std::size_t artefact) {
-  return artefact < recording.artefact_paths.size() ? recording.artefact_paths[artefact] : "";
-}
-
-}  // namespace
-
 Findings find_wrong_documents(const Recording& recording, const std::vector<Artefact>& artefacts) {
   Findings findings;
   for (std::size_t i = 0; i < artefacts.size(); ++i) {
     for (const std::string& text : implausible_values(artefacts[i])) {
-      findings.push_back({FindingKind::ImplausibleValue, path_of(recording, i), text});
+      findings.push_back({FindingKind::ImplausibleValue, artefact_path(recording, i), text});
     }
     for (const std::string& text : certificate_warnings({artefacts[i]}, recording.date)) {
-      findings.push_back({FindingKind::Certificate, path_of(recording, i), text});
+      findings.push_back({FindingKind::Certificate, artefact_path(recording, i), text});
     }
   }
   for (const std::string& text : implausible_values(recording)) {
@@ -40,7 +32,7 @@ Findings find_missing_documents(const Recording& recording, const std::vector<Ar
   }
   for (std::size_t i = 0; i < artefacts.size(); ++i) {
     if (artefacts[i].certificate.number.empty()) {
-      remarks.push_back({FindingKind::NoCertificateNumber, path_of(recording, i),
+      remarks.push_back({FindingKind::NoCertificateNumber, artefact_path(recording, i),
                          fmt::format("the certificate of artefact {} has no number, so that no result rests on it "
                                      "traceably; write number = \"…\" under [certificate]",
                                      in_quotes(artefacts[i].name))});

@@ -12,11 +12,11 @@
 #include "identification/estimation.h"
 #include "identification/evaluation/misfit.h"
 #include "identification/initial/initial_alignment.h"
-#include "identification/inspection/artefact_hypotheses.h"
-#include "identification/inspection/encoder_slip.h"
-#include "identification/inspection/hypothesis.h"
-#include "identification/inspection/joint_hypotheses.h"
-#include "identification/inspection/label_hypotheses.h"
+#include "identification/inspection/hypotheses/artefact_hypotheses.h"
+#include "identification/inspection/hypotheses/encoder_slip.h"
+#include "identification/inspection/hypotheses/hypothesis.h"
+#include "identification/inspection/hypotheses/joint_hypotheses.h"
+#include "identification/inspection/hypotheses/label_hypotheses.h"
 #include "identification/least_squares/arm_fit.h"
 #include "identification/problem/preparation.h"
 
@@ -25,32 +25,15 @@ namespace {
 
 constexpr double no_fit = std::numeric_limits<double>::infinity();
 constexpr double far_better = 4.0;
-constexpr double gross_by_reach = 0.01;
 constexpr double surely_better = 30.0;
 constexpr double surely_as_stated = 2.0;
 constexpr double worth_a_search = 2.0;
 constexpr int quick_iterations = 30;
-constexpr double as_good = 1.5;  // sizes of residuals that do not tell two hypotheses apart
-constexpr double min_noise_ratio = 3.0;
-constexpr double min_size = 0.02;              // mm, where the noise is stated
-constexpr double min_size_of_unstated = 0.05;  // mm
-constexpr double better_by_nominal = 0.6;      // of the discrepancy, to be tried with a fit
+constexpr double as_good = 1.5;            // sizes of residuals that do not tell two hypotheses apart
+constexpr double better_by_nominal = 0.6;  // of the discrepancy, to be tried with a fit
 constexpr std::size_t max_fitted = 4;
 constexpr std::size_t max_readings = 1500;
 constexpr std::size_t max_placements = 8;
-
-double size_of(const Estimate& estimate, const IdentifyOptions& options) {
-  return estimate.fit.noise * (options.noise.is_given() ? noise_ratio(estimate.fit, options.loss) : 1.0);
-}
-
-IdentifyOptions for_trial(const IdentifyOptions& options) {
-  IdentifyOptions trial = options;
-  trial.leave_out = false;
-  trial.loss = Loss::None;
-  trial.progress = {};
-  trial.start.reset();
-  return trial;
-}
 
 // A recording with so many readings that fits are quick, evenly taken from each feature.
 Recording thinned(const Recording& recording) {
@@ -156,7 +139,7 @@ class Search {
       return false;
     }
     trial.is_as_stated = options.noise.is_given() && noise_ratio(estimate->fit, options.loss) < surely_as_stated;
-    trial.size = size_of(*estimate, options);
+    trial.size = residual_size(*estimate, options);
     trial.arm = estimate->fit.arm;
     return trial.size * far_better <= as_written_.size;
   }
@@ -323,39 +306,6 @@ class Search {
   std::vector<Trial> accepted_;
   std::vector<std::string> excluded_;
 };
-
-}  // namespace
-
-bool is_misfit(const Error& error) {
-  return error.message.find("no arm fits") != std::string::npos ||
-         error.message.find("did not converge") != std::string::npos;
-}
-
-AsWritten fit_as_written(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options) {
-  const auto estimate = search_solution(recording, constraints, for_trial(options));
-  if (!estimate) {
-    const bool gross = discrepancy({recording, constraints}, recording.arm) > gross_by_reach * reach(recording.arm);
-    const bool misfit = estimate.error().code == ErrorCode::NoSolution && (is_misfit(estimate.error()) || gross);
-    return {misfit ? no_fit : 0.0, misfit, std::nullopt};
-  }
-  return {size_of(*estimate, options), !estimate->misfits.empty(), estimate->fit.arm};
-}
-
-bool is_unexplained(const AsWritten& as_written, const Recording& recording, const IdentifyOptions& options) {
-  if (as_written.is_misfit) {
-    return true;
-  }
-  if (options.noise.reading) {
-    return as_written.size > std::max(min_size, min_noise_ratio * *options.noise.reading);
-  }
-  const double stated = options.noise.is_given()
-                            ? std::hypot(*options.noise.probing, 0.5 * *options.noise.encoder * reach(recording.arm))
-                            : 0.0;
-  return as_written.size >
-         (options.noise.is_given() ? std::max(min_size, min_noise_ratio * stated) : min_size_of_unstated);
-}
-
-namespace {
 
 template <typename Run>
 Explanation explained(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,

@@ -32,4 +32,8 @@ std::string_view name_of(FindingKind kind) {
   return "elbow_on_one_side";
 }
 
+std::string artefact_path(const Recording& recording, std::size_t artefact) {
+  return artefact < recording.artefact_paths.size() ? recording.artefact_paths[artefact] : "";
+}
+
 }  // namespace artcal

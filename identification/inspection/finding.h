@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "acquisition/recording/recording.h"
+
 namespace artcal {
 
 /// A mistake of measuring, or of what was written down about it.
@@ -48,5 +50,8 @@ struct Finding {
 };
 
 using Findings = std::vector<Finding>;
+
+/// Where a finding about an artefact is: its file; empty where the artefact was not read from one.
+std::string artefact_path(const Recording& recording, std::size_t artefact);
 
 }  // namespace artcal

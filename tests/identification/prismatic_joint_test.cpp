@@ -41,13 +41,10 @@ Arm on_a_rail() {
   return arm;
 }
 
-Arm off_nominal(Arm arm, std::uint64_t seed) {
+Arm off_nominal(const Arm& nominal, std::uint64_t seed) {
   RandomStream random(seed, "sliding");
+  Arm arm = test::off_nominal(nominal, random);
   for (Joint& joint : arm.joints) {
-    joint.a += 0.5 * random.normal();
-    joint.d += 0.5 * random.normal();
-    joint.theta += 1e-3 * random.normal();
-    joint.alpha += 1e-3 * random.normal();
     joint.beta += std::abs(std::sin(joint.alpha)) < 0.05 ? 1e-3 * random.normal() : 0.0;
   }
   return arm;

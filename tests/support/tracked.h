@@ -8,6 +8,17 @@
 
 namespace artcal::test {
 
+/// An arm whose parameters are off the nominal ones by some tenths of a millimetre and of a milliradian.
+inline Arm off_nominal(Arm arm, RandomStream& random) {
+  for (Joint& joint : arm.joints) {
+    joint.a += 0.5 * random.normal();
+    joint.d += 0.5 * random.normal();
+    joint.theta += 1e-3 * random.normal();
+    joint.alpha += 1e-3 * random.normal();
+  }
+  return arm;
+}
+
 /// Readings of coordinates in the base frame by another instrument, at random postures (prismatic joints between their
 /// ends): planted by the test's own matrices, with a noise of each coordinate in mm.
 inline Bound tracked(const Arm& truth, const Arm& nominal, int count, double noise, std::uint64_t seed = 1) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/output/table.h"
+#include "app/output/text_or_null.h"
 #include "app/report/numbers.h"
 #include "app/report/page.h"
 #include "app/report/sheet.h"
@@ -14,9 +15,8 @@
 namespace artcal {
 namespace {
 
-nlohmann::ordered_json text_or_null(const std::string& text) {
-  return text.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(valid_utf8(text));
-}
+// A store may hold texts that other programs wrote.
+nlohmann::ordered_json valid_or_null(const std::string& text) { return text_or_null(valid_utf8(text)); }
 
 std::string cell(const nlohmann::ordered_json& value, const char* where_none) {
   return value.is_null() ? where_none : numbers::shown(value.get<std::string>());
@@ -42,12 +42,12 @@ nlohmann::ordered_json to_json(const std::string& certificate, const std::vector
   json["certificate"] = certificate;
   json["results"] = nlohmann::ordered_json::array();
   for (const CertificateUse& use : uses) {
-    json["results"].push_back({{"arm", text_or_null(use.arm)},
-                               {"date", text_or_null(use.date)},
-                               {"recording", text_or_null(use.name)},
-                               {"artefact", text_or_null(use.artefact)},
-                               {"laboratory", text_or_null(use.laboratory)},
-                               {"file", text_or_null(use.path)}});
+    json["results"].push_back({{"arm", valid_or_null(use.arm)},
+                               {"date", valid_or_null(use.date)},
+                               {"recording", valid_or_null(use.name)},
+                               {"artefact", valid_or_null(use.artefact)},
+                               {"laboratory", valid_or_null(use.laboratory)},
+                               {"file", valid_or_null(use.path)}});
   }
   return json;
 }

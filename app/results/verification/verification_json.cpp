@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/output/json_list.h"
+#include "app/output/text_or_null.h"
 #include "app/results/artefact_summary.h"
 #include "app/results/identification/readings_json.h"
 #include "app/results/identification/result_json.h"
@@ -15,7 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json budget_json(const Budget& budget) {
   return {{"calibration_mm", budget.calibration},

@@ -2,14 +2,11 @@
 // that cancel. Read by an independent forward kinematics, identified from the nominal arm.
 #include "identification/identifiability/fixed_hayati_angles.h"
 
-#include <numbers>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/random.h"
-#include "tests/support/forward_kinematics.h"
 #include "tests/support/recordings.h"
+#include "tests/support/tracked.h"
 #include "tests/support/universal_robots.h"
 
 namespace artcal {
@@ -26,36 +23,7 @@ Arm nominal_ur10e() { return with_tip(test::nominal_ur10e()); }
 Arm calibrated_ur10e() { return with_tip(test::calibrated_ur10e()); }
 
 test::Bound read_coordinates(const Arm& truth, const Arm& nominal, int count) {
-  RandomStream random(6, "UR10e");
-  Recording recording;
-  recording.name = "UR10e";
-  recording.arm = nominal;
-  recording.files = {"planted"};
-  recording.artefacts.index_of("tracker");
-  recording.joints.resize(6, count);
-  const testing::ArmNumbers<double> numbers(truth);
-  for (int i = 0; i < count; ++i) {
-    std::vector<double> q(6);
-    for (double& angle : q) angle = random.uniform(-std::numbers::pi, std::numbers::pi);
-    recording.joints.col(i) = Eigen::VectorXd::Map(q.data(), 6);
-    Reading reading{};
-    reading.placement = recording.placements.index_of("1");
-    reading.feature = recording.features.index_of("T");
-    reading.orientation = recording.orientations.index_of("");
-    reading.repeat = recording.repeats.index_of("");
-    reading.temperature = std::numeric_limits<double>::quiet_NaN();
-    reading.reference = testing::tip_in_base(numbers, q, 0);
-    reading.line = i + 1;
-    recording.readings.push_back(reading);
-  }
-  Artefact tracker;
-  tracker.name = "tracker";
-  tracker.frame = CoordinateFrame::Base;
-  CertifiedFeature target;
-  target.name = "T";
-  target.kind = FeatureKind::Coordinates;
-  tracker.features.push_back(target);
-  return test::bind(std::move(recording), {tracker});
+  return test::tracked(truth, nominal, count, 0.0);
 }
 
 IdentifyOptions plain() {

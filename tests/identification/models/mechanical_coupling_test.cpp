@@ -30,14 +30,9 @@ Arm fanuc() {
   return arm;
 }
 
-Arm off_nominal(Arm arm, std::uint64_t seed) {
+Arm off_nominal(const Arm& nominal, std::uint64_t seed) {
   RandomStream random(seed, "coupled");
-  for (Joint& joint : arm.joints) {
-    joint.a += 0.5 * random.normal();
-    joint.d += 0.5 * random.normal();
-    joint.theta += 1e-3 * random.normal();
-    joint.alpha += 1e-3 * random.normal();
-  }
+  Arm arm = test::off_nominal(nominal, random);
   arm.joints[1].beta = 0.8e-3;
   return arm;
 }

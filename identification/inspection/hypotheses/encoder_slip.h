@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "identification/identify.h"
-#include "identification/inspection/hypothesis.h"
+#include "identification/inspection/hypotheses/hypothesis.h"
 
 namespace artcal {
 

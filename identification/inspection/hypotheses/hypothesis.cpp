@@ -1,4 +1,4 @@
-#include "identification/inspection/hypothesis.h"
+#include "identification/inspection/hypotheses/hypothesis.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "identification/inspection/artefact_hypotheses.h"
+#include "identification/inspection/hypotheses/artefact_hypotheses.h"
 
 #include <algorithm>
 #include <string>
@@ -20,10 +20,6 @@ struct OtherUnit {
 constexpr OtherUnit other_units[] = {
     {25.4, "inch"},       {1.0 / 25.4, "mm, not inch"}, {10.0, "cm"}, {0.1, "mm, not cm"}, {1000.0, "m"},
     {0.001, "mm, not m"}, {0.001 * 25.4, "inch, not m"}};
-
-std::string path_of(const Recording& recording, std::size_t artefact) {
-  return artefact < recording.artefact_paths.size() ? recording.artefact_paths[artefact] : "";
-}
 
 void scale_distances(Artefact& artefact, double factor) {
   for (CertifiedDistance& distance : artefact.distances) {
@@ -66,7 +62,7 @@ void add_units(const Recording& recording, const std::vector<Artefact>& artefact
     const double factor = unit.factor;
     for (std::size_t a = 0; a < artefacts.size() && !is_arm; ++a) {
       hypotheses.push_back(
-          {FindingKind::LengthUnit, 0, path_of(recording, a),
+          {FindingKind::LengthUnit, 0, artefact_path(recording, a),
            fmt::format("with the lengths of artefact {} taken for {}", in_quotes(artefacts[a].name), unit.text),
            "State the unit that the certificate has under units.length",
            [a, factor](Recording&, std::vector<Artefact>& changed) {
@@ -75,7 +71,7 @@ void add_units(const Recording& recording, const std::vector<Artefact>& artefact
            }});
       if (!artefacts[a].distances.empty()) {
         hypotheses.push_back(
-            {FindingKind::LengthUnit, 0, path_of(recording, a),
+            {FindingKind::LengthUnit, 0, artefact_path(recording, a),
              fmt::format("with the certified distances of artefact {} taken for {}", in_quotes(artefacts[a].name),
                          unit.text),
              "Give the distances in the file's unit",
@@ -122,7 +118,7 @@ void add_positions(const Recording& recording, const std::vector<Artefact>& arte
     const std::string first = in_quotes(names[static_cast<std::size_t>(artefact.distances.front().first)].name);
     const std::string last = in_quotes(names[static_cast<std::size_t>(artefact.distances.back().second)].name);
     hypotheses.push_back(
-        {FindingKind::PositionsAsSteps, 0, path_of(recording, a),
+        {FindingKind::PositionsAsSteps, 0, artefact_path(recording, a),
          fmt::format("with the distances of artefact {}, as certified {:.7g} mm from {} to {} in all, taken for "
                      "positions from {}, {:.7g} mm in all",
                      in_quotes(artefact.name), whole, first, last, first, artefact.distances.back().value),
@@ -171,7 +167,7 @@ std::vector<Hypothesis> radius_hypotheses(const Recording& recording, const std:
     }
     for (std::size_t a = 0; a < artefacts.size(); ++a) {
       if (has_balls(artefacts[a])) {
-        hypotheses.push_back({FindingKind::BallDiameter, 0, path_of(recording, a),
+        hypotheses.push_back({FindingKind::BallDiameter, 0, artefact_path(recording, a),
                               fmt::format("with balls of {} {} of the stated diameter", in_quotes(artefacts[a].name),
                                           factor < 1.0 ? "half" : "twice"),
                               "Correct `diameter` in the artefact's file",

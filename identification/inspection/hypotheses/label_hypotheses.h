@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "identification/inspection/hypothesis.h"
+#include "identification/inspection/hypotheses/hypothesis.h"
 
 namespace artcal {
 

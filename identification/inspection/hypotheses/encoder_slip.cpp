@@ -1,4 +1,4 @@
-#include "identification/inspection/encoder_slip.h"
+#include "identification/inspection/hypotheses/encoder_slip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "identification/inspection/joint_hypotheses.h"
+#include "identification/inspection/hypotheses/joint_hypotheses.h"
 
 #include <algorithm>
 #include <cmath>

@@ -55,7 +55,7 @@ Recording readings_where(const Recording& recording, Keep keep) {
 /// and of the lengths between them. Infinite where features cannot be fitted.
 double discrepancy(const Bound& bound, const Arm& arm);
 
-/// "q2", "a2 and a3", by number from 0.
+/// "q2" for joint number 1, counted from 0.
 std::string joint_name(int joint);
 
 }  // namespace artcal

@@ -1,4 +1,4 @@
-#include "identification/inspection/label_hypotheses.h"
+#include "identification/inspection/hypotheses/label_hypotheses.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "identification/estimation.h"
+#include "identification/identify.h"
+
+namespace artcal {
+
+/// How well the recording as it is written can be fitted.
+struct AsWritten {
+  double size = 0.0;       ///< of the residuals of the best fit, mm a coordinate; infinite: no fit
+  bool is_misfit = false;  ///< that fit is no solution (identification/evaluation/misfit.h)
+  std::optional<Arm> arm;  ///< of that fit
+};
+
+/// Whether an identification without a solution ended because no arm fits the readings, and not because they do not
+/// determine one.
+bool is_misfit(const Error& error);
+
+/// The best fit to the recording as it is written. Where the readings do not determine an arm, a misfit only if the
+/// nominal arm is off by more than a hundredth of its reach.
+AsWritten fit_as_written(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options);
+
+/// Size of an estimate's residuals, mm a coordinate: the noise that they show.
+double residual_size(const Estimate& estimate, const IdentifyOptions& options);
+
+/// Options for a fit that is only compared with others: plain least squares, from the initial alignments, nothing left
+/// out and nobody told.
+IdentifyOptions for_trial(const IdentifyOptions& options);
+
+/// Whether the residuals are large enough to look for a mistake: a misfit, or more than three times the stated noise,
+/// or, where none is stated, more than any coordinate measuring arm has.
+bool is_unexplained(const AsWritten& as_written, const Recording& recording, const IdentifyOptions& options);
+
+}  // namespace artcal
