@@ -46,6 +46,7 @@ Run set_up_verify(CLI::App& parser);
 Run set_up_points(CLI::App& parser);
 Run set_up_plan(CLI::App& parser);
 Run set_up_simulate(CLI::App& parser);
+Run set_up_record(CLI::App& parser);
 Run set_up_report(CLI::App& parser);
 Run set_up_batch(CLI::App& parser);
 Run set_up_store(CLI::App& parser);

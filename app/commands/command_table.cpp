@@ -5,6 +5,7 @@ namespace artcal {
 const std::vector<Command>& command_table() {
   static const std::vector<Command> commands{
       Command{"fit", "fit one feature to a file of points", set_up_fit},
+      Command{"record", "take readings from an arm into a recording, each on disk at once", set_up_record},
       Command{"inspect", "look for mistakes in a recording before it is solved", set_up_inspect},
       Command{"identify", "identify an arm's parameters from its readings on artefacts", set_up_identify},
       Command{"coupling", "identifiability analysis: which parameters readings determine", set_up_coupling},

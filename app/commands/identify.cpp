@@ -1,3 +1,5 @@
+#include "app/commands/identify.h"
+
 #include <unistd.h>
 
 #include <chrono>
@@ -8,7 +10,6 @@
 
 #include "acquisition/arm/arm_file.h"
 #include "acquisition/recording/recording_file.h"
-#include "app/commands/command.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
@@ -131,6 +132,16 @@ Expected<int> identify_and_tell(const Request& request) {
 }
 
 }  // namespace
+
+Expected<int> identify_recording(const std::string& recording, const std::string& arm, const std::string& json,
+                                 bool quiet) {
+  Request request;
+  request.recording = recording;
+  request.arm_out = arm;
+  request.common.json = json;
+  request.common.quiet = quiet;
+  return identify_and_tell(request);
+}
 
 Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();

@@ -1,124 +1,108 @@
-#include "app/commands/record.h"
-
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "acquisition/arm/arm_file.h"
-#include "acquisition/csv/csv.h"
-#include "acquisition/recording/readings_file.h"
-#include "acquisition/recording/recording_text.h"
+#include "app/commands/command.h"
+#include "app/commands/identify.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
-#include "app/stream/line_source.h"
+#include "app/requests/access_option.h"
+#include "app/results/result_head.h"
+#include "app/stream/recording_folder.h"
 #include "app/stream/recording_session.h"
-#include "app/stream/row_file.h"
+#include "app/stream/source/line_source.h"
+#include "app/stream/source/terminal_keys.h"
+#include "artefacts/artefact/artefact_file.h"
+#include "core/calendar_date.h"
 #include "core/text/in_quotes.h"
-#include "core/toml/toml_text.h"
 
 namespace artcal {
 namespace {
 
-constexpr int wait_ms = 200;
+constexpr int mistakes_found = 1;
+constexpr int wait_ms = 50;
 
 struct Request {
   CommonOptions common;
-  std::string format, source = "-", arm, folder, plan, date;
+  AccessOption access;
+  std::string format, source = "-", arm, folder, plan, probe, date, identified, result;
   std::vector<std::string> artefacts;
+  std::optional<double> temperature;
   bool follow = false;
 };
 
 volatile std::sig_atomic_t stopped = 0;
 void stop(int) { stopped = 1; }
 
-// The labels of a table of readings, in its order; its angles are not looked at.
-Expected<std::vector<ReadingLabel>> labels_of(const std::string& path, const Arm& arm) {
-  Recording planned;
-  planned.arm = arm;
-  planned.joints.resize(static_cast<Eigen::Index>(arm.joints.size()), 0);
-  if (auto read = read_readings(path, {}, planned); !read) {
-    return tl::unexpected(read.error());
-  }
-  std::vector<ReadingLabel> labels;
-  for (const Reading& reading : planned.readings) {
-    labels.push_back({planned.artefacts.name(reading.artefact), planned.placements.name(reading.placement),
-                      planned.features.name(reading.feature)});
-  }
-  return labels;
-}
-
-std::string seen_from(const std::filesystem::path& folder, const std::string& path) {
-  std::error_code error;
-  const auto relative = std::filesystem::proximate(path, folder, error);
-  return error ? path : relative.string();
-}
-
-std::string recording_text(const Request& request, const std::filesystem::path& folder) {
-  std::string artefacts;
-  for (const std::string& path : request.artefacts) {
-    artefacts += (artefacts.empty() ? "" : ", ") + toml_text(seen_from(folder, path));
-  }
-  return fmt::format(
-      "# Written by artcal record.\nschema = \"artcal-recording/1\"\nname = {}\n{}arm = {}\nartefacts = [{}]\n"
-      "readings = [\"readings.csv\"]\nunits = {{ joint = \"deg\", length = \"mm\" }}\n",
-      toml_text(folder.filename().string().empty() ? "recording" : folder.filename().string()),
-      request.date.empty() ? "" : fmt::format("date = {}\n", request.date), toml_text(seen_from(folder, request.arm)),
-      artefacts);
+std::string today() {
+  return fmt::format("{:%Y-%m-%d}",
+                     fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
 /// A session, its table, and the person who is told.
 class Recorder {
  public:
-  Recorder(RecordingSession session, RowFile& table, bool talks)
-      : session_(std::move(session)), table_(table), talks_(talks) {}
+  Recorder(RecordingSession& session, RowFile& table, bool talks) : session_(session), table_(table), talks_(talks) {}
 
-  Expected<void> run(LineSource& source) {
+  Expected<void> run(LineSource& source, bool has_keys) {
+    TerminalKeys keys;
+    has_keys = has_keys && keys.are_there();
+    if (has_keys) {
+      fmt::print(stderr, "keys: n next feature, p next placement, u undo the last reading, q end\n");
+    }
     std::string line;
-    while (stopped == 0 && !session_.plan_is_done()) {
+    while (stopped == 0 && !session_.labels().has_ended()) {
+      for (auto key = has_keys ? keys.next() : std::nullopt; key; key = keys.next()) {
+        if (auto done = press(*key); !done) {
+          return done;
+        }
+      }
       const LineSource::Kind kind = source.next(line, wait_ms);
       if (kind == LineSource::Kind::End) {
         break;
       }
-      if (kind == LineSource::Kind::Nothing) {
-        continue;
-      }
-      if (auto done = take(kind == LineSource::Kind::TooLong ? session_.too_long() : step(line)); !done) {
+      if (auto done = take(step(kind, line, source.is_live())); !done) {
         return done;
       }
     }
     return {};
   }
 
-  [[nodiscard]] const RecordingSession& session() const { return session_; }
-
  private:
-  // Lines that begin with ! are a person's: !feature NAME, !placement NAME, !undo.
-  RecordingSession::Step step(const std::string& line) {
-    if (!line.starts_with('!')) {
-      return session_.feed(line);
+  static double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+
+  RecordingSession::Step step(LineSource::Kind kind, const std::string& line, bool is_live) {
+    switch (kind) {
+      case LineSource::Kind::Line: return session_.feed(line, is_live ? std::optional(now()) : std::nullopt);
+      case LineSource::Kind::CutOff: return session_.cut_off(line);
+      case LineSource::Kind::TooLong: return session_.too_long();
+      case LineSource::Kind::Nothing:
+      case LineSource::Kind::End: break;
     }
-    const auto blank = line.find(' ');
-    const std::string word = line.substr(1, blank - 1);
-    const std::string name = blank == std::string::npos ? "" : line.substr(blank + 1);
-    if (word == "feature" && !name.empty()) {
-      session_.next_feature(name);
-      return {"", "next feature: " + name};
+    return {};
+  }
+
+  Expected<void> press(char key) {
+    for (const auto& [known, words] : {std::pair('n', "next feature"), {'p', "next placement"}, {'u', "undo"}}) {
+      if (key == known) {
+        return take(session_.operate(words));
+      }
     }
-    if (word == "placement" && !name.empty()) {
-      session_.next_placement(name);
-      return {"", "next placement: " + name};
-    }
-    if (word == "undo") {
-      undone_ = session_.undo();
-      return {"", undone_ ? "the last reading is taken back" : "there is no reading to take back"};
-    }
-    return {"", "not understood: expected !feature NAME, !placement NAME or !undo"};
+    stopped = key == 'q' ? 1 : stopped;
+    return {};
   }
 
   Expected<void> take(const RecordingSession::Step& step) {
-    if (std::exchange(undone_, false)) {
+    if (step.removes_last) {
       if (auto removed = table_.remove_last(); !removed) {
         return removed;
       }
@@ -128,7 +112,7 @@ class Recorder {
         return written;
       }
       if (talks_) {
-        fmt::print("{} {}\n", table_.rows(), step.row.substr(0, step.row.find(",", step.row.find(",") + 1)));
+        fmt::print("{} {}{}{}\n", table_.rows(), step.label, step.note.empty() ? "" : "  ", step.note);
         std::fflush(stdout);
       }
     }
@@ -138,71 +122,153 @@ class Recorder {
     return {};
   }
 
-  RecordingSession session_;
+  RecordingSession& session_;
   RowFile& table_;
   bool talks_;
-  bool undone_ = false;
 };
 
-Expected<int> record(const Request& request) {
-  const auto format = read_stream_format(request.format);
+Expected<std::vector<Artefact>> read_artefacts(const Request& request) {
+  std::vector<Artefact> artefacts;
+  for (const std::string& path : request.artefacts) {
+    auto file = read_artefact_file(path, request.access.of(path));
+    if (!file) {
+      return tl::unexpected(file.error());
+    }
+    for (const CertifiedFeature& feature : file->artefact.features) {
+      if (feature.kind == FeatureKind::Anchor || feature.kind == FeatureKind::Coordinates) {
+        return bad_input(fmt::format("the feature {} is measured by another instrument too, whose values no stream of "
+                                     "an arm has; write its readings into a table by hand",
+                                     in_quotes(feature.name)),
+                         path);
+      }
+    }
+    artefacts.push_back(std::move(file->artefact));
+  }
+  return artefacts;
+}
+
+Expected<int> find_probe(const Request& request, const Arm& arm) {
+  const int probe = request.probe.empty() ? (arm.probes.size() == 1 || !request.plan.empty() ? 0 : -1)
+                                          : probe_index(arm, request.probe);
+  if (probe >= 0) {
+    return probe;
+  }
+  std::string known;
+  for (const Probe& p : arm.probes) {
+    known += (known.empty() ? "" : ", ") + p.name;
+  }
+  return wrong_usage(
+      fmt::format("--probe is {}, expected one of the arm's probes: {}", in_quotes(request.probe), known));
+}
+
+Expected<RecordingSession> begin_session(const Request& request, const Arm& arm) {
+  auto format = read_stream_format(request.format).and_then([&](StreamFormat&& read) {
+    return for_arm(std::move(read), arm, request.format);
+  });
   if (!format) {
     return tl::unexpected(format.error());
+  }
+  const auto artefacts = read_artefacts(request);
+  if (!artefacts) {
+    return tl::unexpected(artefacts.error());
+  }
+  const auto probe = find_probe(request, arm);
+  if (!probe) {
+    return tl::unexpected(probe.error());
+  }
+  LabelSequence::Constants constants;
+  if (arm.probes.size() > 1) {
+    constants.emplace_back("probe", arm.probes[static_cast<std::size_t>(*probe)].name);
+  }
+  if (request.temperature) {
+    constants.emplace_back("temperature", fmt::format("{}", *request.temperature));
+  }
+  LabelSequence labels(*artefacts, constants);
+  if (!request.plan.empty()) {
+    if (auto planned = labels.follow(request.plan); !planned) {
+      return tl::unexpected(planned.error());
+    }
+  }
+  return RecordingSession(arm, *probe, *artefacts, std::move(*format), std::move(labels));
+}
+
+nlohmann::ordered_json to_json(const Request& request, const RecordingSession& session, std::size_t rows,
+                               std::size_t before) {
+  auto json = result_head("record");
+  json["folder"] = request.folder;
+  json["readings"] = rows;
+  json["earlier_readings"] = before;
+  json["passed_over"] = nlohmann::ordered_json::array();
+  for (const auto& [reason, count] : session.passed_over()) {
+    json["passed_over"].push_back({{"reason", reason}, {"count", count}});
+  }
+  json["mistakes"] = session.mistakes();
+  return json;
+}
+
+std::string to_text(const Request& request, const RecordingSession& session, std::size_t rows, std::size_t before) {
+  const std::string folder = request.folder.ends_with('/') ? request.folder : request.folder + "/";
+  std::string text = fmt::format("\n{} in {}readings.csv{}\n", plural(rows, "reading"), folder,
+                                 before > 0 ? fmt::format(", {} of an earlier run", before) : "");
+  for (const auto& [reason, count] : session.passed_over()) {
+    text += fmt::format("  passed over {}: {}\n", count, reason);
+  }
+  for (const std::string& mistake : session.mistakes()) {
+    text += "Mistake: " + as_sentence(mistake) + "\n";
+  }
+  return text;
+}
+
+Expected<int> record(const Request& request) {
+  if (!request.date.empty() && !is_calendar_date(request.date)) {
+    return wrong_usage(fmt::format("--date is {}, expected a day such as 2026-03-10", in_quotes(request.date)));
   }
   const auto arm = read_arm_file(request.arm);
   if (!arm) {
     return tl::unexpected(arm.error());
   }
-  std::vector<ReadingLabel> plan;
-  if (!request.plan.empty()) {
-    auto labels = labels_of(request.plan, arm->arm);
-    if (!labels) {
-      return tl::unexpected(labels.error());
-    }
-    plan = std::move(*labels);
-  }
-  const std::filesystem::path folder = std::filesystem::path(request.folder).lexically_normal();
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    return bad_input(fmt::format("the folder cannot be made: {}", error.message()), request.folder);
-  }
-  const RecordingSession empty(arm->arm, *format, plan);
-  auto table = RowFile::open(folder / "readings.csv", empty.header());
-  if (!table) {
-    return tl::unexpected(table.error());
-  }
-  if (!std::filesystem::exists(folder / "recording.toml")) {
-    if (auto written = write_file((folder / "recording.toml").string(), recording_text(request, folder)); !written) {
-      return tl::unexpected(written.error());
-    }
+  auto session = begin_session(request, arm->arm);
+  if (!session) {
+    return tl::unexpected(session.error());
   }
   auto source = open_source(request.source, request.follow);
   if (!source) {
     return tl::unexpected(source.error());
   }
-  std::signal(SIGINT, stop);
-  std::signal(SIGTERM, stop);
+  const RecordingBegin begin{request.folder,
+                             request.arm,
+                             {request.artefacts.begin(), request.artefacts.end()},
+                             request.date.empty() ? today() : request.date};
+  auto table = begin_recording(
+      begin, request.access.anywhere ? FileAccess::anywhere() : FileAccess::beside(request.arm), session->header());
+  if (!table) {
+    return tl::unexpected(table.error());
+  }
   const std::size_t before = table->rows();
+  if (auto resumed = session->resume(table->first_rows()); !resumed) {
+    return tl::unexpected(resumed.error());
+  }
   if (before > 0 && request.common.talks()) {
     fmt::print("goes on after {}\n", plural(before, "reading"));
   }
-  Recorder recorder(RecordingSession(arm->arm, *format, std::move(plan), table->first_rows()), *table,
-                    request.common.talks());
-  if (auto done = recorder.run(**source); !done) {
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
+  Recorder recorder(*session, *table, request.common.talks());
+  if (auto done = recorder.run(**source, request.source != "-" && request.common.talks()); !done) {
     return tl::unexpected(done.error());
   }
-  nlohmann::ordered_json passed_over = nlohmann::ordered_json::object();
-  std::string text = fmt::format("{} in {}, {} of them new\n", plural(table->rows(), "reading"),
-                                 (folder / "readings.csv").string(), table->rows() - std::min(before, table->rows()));
-  for (const auto& [reason, count] : recorder.session().passed_over()) {
-    passed_over[reason] = count;
-    text += fmt::format("  passed over {}: {}\n", count, reason);
+  const auto told = request.common.tell(to_json(request, *session, table->rows(), before),
+                                        to_text(request, *session, table->rows(), before),
+                                        session->mistakes().empty() ? 0 : mistakes_found);
+  const std::string recording = (std::filesystem::path(request.folder) / "recording.toml").string();
+  if (!told || (request.identified.empty() && request.result.empty())) {
+    request.common.say(
+        fmt::format("Look for mistakes with artcal inspect {0}, then artcal identify {0}.\n", recording));
+    return told;
   }
-  text += fmt::format("Look for mistakes with artcal inspect {0}, then artcal identify {0}.\n",
-                      (folder / "recording.toml").string());
-  const nlohmann::ordered_json json{{"readings", table->rows()}, {"passed_over", passed_over}};
-  return request.common.tell(json, text);
+  request.common.say("\n");
+  return identify_recording(recording, request.identified, request.result, request.common.quiet)
+      .map([&](int exit_code) { return exit_code == 0 ? *told : exit_code; });
 }
 
 }  // namespace
@@ -225,13 +291,25 @@ Run set_up_record(CLI::App& parser) {
                   "serial:///dev/ttyUSB0?baud=115200")
       ->type_name("SOURCE");
   parser.add_flag("--follow", request->follow, "wait for more at the end of a file");
-  parser.add_option("--plan", request->plan, "a table of readings whose labels are those of the readings to come")
+  parser
+      .add_option("--plan", request->plan,
+                  "a table whose columns artefact, placement, feature, … label the readings to come, such as that of "
+                  "artcal plan")
       ->type_name("FILE.csv");
-  parser.add_option("--date", request->date, "of the measurement, such as 2026-03-10")->type_name("DATE");
+  parser.add_option("--probe", request->probe, "the probe, where the arm has several")->type_name("NAME");
+  parser.add_option("--temperature", request->temperature, "of the artefacts, in degC; written to every reading");
+  parser.add_option("--date", request->date, "of the measurement; by default today")->type_name("DATE");
+  parser.add_option("--identified", request->identified, "identify at the end, and write the identified arm")
+      ->type_name("ARM");
+  parser.add_option("--result", request->result, "identify at the end, and write the result as identify --json does")
+      ->type_name("FILE");
+  request->access.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
-      "Lines !feature NAME, !placement NAME and !undo among the events set the labels.\n"
-      "Example:\n  artcal record examples/streams/faro-json.toml --arm arm.toml --artefact bar.toml -o today");
+      "Keys on the terminal, or lines among the events, set what is read next: n (!next feature), p (!next placement), "
+      "u (!undo). The exit code is 1 where events contradict the files.\n"
+      "Examples:\n  artcal record examples/streams/faro-json.toml --arm examples/ball-bar/arm.toml \\\n"
+      "    --artefact examples/ball-bar/bar.toml --source tcp://localhost:4000 -o today");
   return [request] {
     const auto done = record(*request);
     return done ? *done : report_error(done.error());

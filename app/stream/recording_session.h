@@ -1,71 +1,80 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "acquisition/arm/arm.h"
+#include "app/stream/label_sequence.h"
 #include "app/stream/stream_event.h"
+#include "app/stream/touch_check.h"
 
 namespace artcal {
-
-/// What a reading is of.
-struct ReadingLabel {
-  std::string artefact, placement, feature;
-  [[nodiscard]] bool operator==(const ReadingLabel&) const = default;
-};
 
 /// Events of an arm, one after the other, and the readings that they become. Knows no terminal, network or file: who
 /// holds a session feeds it lines and writes down the rows that it gives back.
 class RecordingSession {
  public:
-  /// `plan`: the label of each reading in order; where it ends, readings go on under the last label, or under the one
-  /// that next_feature() and next_placement() set. `rows`: those that are on disk already; an event that is one of them
-  /// is passed over, so that a file of events that is read again from its beginning goes on where it was.
-  RecordingSession(Arm arm, StreamFormat format, std::vector<ReadingLabel> plan,
-                   const std::vector<std::string>& rows = {});
+  /// `format` is that of the arm (for_arm()). `probe` is into Arm::probes, for labels without a probe.
+  RecordingSession(Arm arm, int probe, const std::vector<Artefact>& artefacts, StreamFormat format,
+                   LabelSequence labels);
+
+  /// "artefact,placement,feature,q1,…", angles in deg, prismatic joints in mm; x, y, z in mm where the stream has them.
+  [[nodiscard]] std::string header() const;
+  /// Goes on after these rows of an earlier run. An event that is one of them is passed over, so that a file of events
+  /// that is read again from its beginning goes on where it was. Refused: rows that are none of this session, labels
+  /// that the plan does not have in this order.
+  Expected<void> resume(const std::vector<std::string>& rows);
 
   /// What became of a line.
   struct Step {
-    std::string row;      ///< of readings.csv, without its end; empty: the line is no reading
-    std::string message;  ///< for a person; empty: nothing to say
+    std::string row = {};       ///< to be appended, without its end; empty: the line is no reading
+    bool removes_last = false;  ///< the last row is to be taken away
+    std::string label = {};     ///< of the row: "bar 1 A"
+    std::string note = {};      ///< what is known of the reading; may be empty
+    std::string message = {};   ///< for a person; empty: nothing to say
   };
-  Step feed(std::string_view line);
+  /// `arrival` is when the line came, s, by any clock; nothing where that says nothing (a file). A line that begins
+  /// with ! is a person's: !next feature, !next placement, !artefact NAME, !placement NAME, !feature NAME, !undo.
+  Step feed(std::string_view line, std::optional<double> arrival = {});
   /// A line that was too long to be kept.
   Step too_long();
+  /// A last line without a line end.
+  Step cut_off(std::string_view line);
+  /// A person's words, without the !.
+  Step operate(std::string_view words);
 
-  void next_feature(const std::string& feature);
-  void next_placement(const std::string& placement);
-  /// The last reading is to be taken again; false where there is none.
-  bool undo();
-
-  /// "artefact,placement,feature,q1,…", angles in deg; x, y, z where the stream has them.
-  [[nodiscard]] std::string header() const;
-  [[nodiscard]] std::size_t readings() const { return taken_; }
-  [[nodiscard]] bool plan_is_done() const { return !plan_.empty() && taken_ >= plan_.size(); }
-  [[nodiscard]] const ReadingLabel& label() const;
+  [[nodiscard]] const LabelSequence& labels() const { return labels_; }
   /// Events that became no reading, by reason.
   [[nodiscard]] const std::map<std::string, std::size_t>& passed_over() const { return passed_over_; }
+  /// What cannot be the arm's error: said at once, and again at the end.
+  [[nodiscard]] const std::vector<std::string>& mistakes() const { return mistakes_; }
 
  private:
   [[nodiscard]] std::string values_of(const StreamEvent& event) const;
-  Step pass_over(const std::string& reason, bool say);
+  [[nodiscard]] std::string reason_against(const StreamEvent& event, std::optional<double> time);
+  [[nodiscard]] bool moves(const StreamEvent& event, std::optional<double> time);
+  Step pass_over(const std::string& reason, bool is_said);
   Step take(const StreamEvent& event);
-  std::string compare(const StreamEvent& event);
+  void compare_tips(const StreamEvent& event);
+  [[nodiscard]] Touch touch_of(const ReadingLabel& label, const Eigen::VectorXd& joints) const;
 
   Arm arm_;
+  int probe_;
   StreamFormat format_;
-  std::vector<ReadingLabel> plan_;
-  std::optional<ReadingLabel> by_hand_;
-  std::size_t taken_;
+  LabelSequence labels_;
+  TouchCheck touches_;
   std::set<std::string, std::less<>> on_disk_;  // what was measured, without labels
   std::map<std::string, std::size_t> passed_over_;
+  std::vector<std::string> mistakes_;
   bool was_pressed_ = false;
-  Eigen::VectorXd last_;
-  std::vector<StreamEvent> first_;  // the first readings with coordinates, until both were compared
+  Eigen::VectorXd last_;      // joints of the last reading
+  Eigen::VectorXd rests_at_;  // joints since when none moved, at_rest_within
+  std::optional<double> rests_since_, last_time_;
+  std::vector<StreamEvent> compared_;  // readings with coordinates, until enough were compared
 };
 
 }  // namespace artcal

@@ -99,7 +99,7 @@ Expected<RowFile> RowFile::open(const std::filesystem::path& path, const std::st
 
 Expected<void> RowFile::append(const std::string& row) {
   if (!write_all(file_, row + "\n") || ::fsync(file_) != 0) {
-    return failed(path_);
+    return failed(path_);  // half a row has no line end: open() takes it away
   }
   ++rows_;
   return {};

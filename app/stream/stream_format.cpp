@@ -45,7 +45,13 @@ void read_scales(TomlTable& root, StreamFormat& format) {
     }
     format.joint_scale.assign(format.joints.size(), scale.value_or(1.0));
   } else {
+    format.has_counts = true;
     for (const double turn : counts) {
+      if (turn == 0.0) {
+        root.fail("counts_per_turn",
+                  "a joint has 0 counts per turn; expected a number such as 8192, or below zero "
+                  "where it counts backwards");
+      }
       format.joint_scale.push_back(2.0 * std::numbers::pi / turn);
     }
     if (counts.size() != format.joints.size()) {
@@ -73,6 +79,11 @@ void check_columns(TomlTable& root, const StreamFormat& format) {
   for (const StreamField& field : {format.button, format.time, format.temperature}) {
     if (!field.empty()) {
       all.push_back(field);
+    }
+  }
+  for (const auto& condition : {format.at_rest, format.referenced, format.end_stop}) {
+    if (condition) {
+      all.push_back(condition->field);
     }
   }
   for (const StreamField& field : all) {
@@ -121,10 +132,43 @@ Expected<StreamFormat> read_stream_format(const std::filesystem::path& path) {
   format.at_rest = read_condition(root, "at_rest");
   format.referenced = read_condition(root, "referenced");
   format.end_stop = read_condition(root, "no_end_stop");
+  const std::string within = root.text_or("at_rest_within", "");
+  const auto angle = angle_quantity(within);
+  if (!within.empty() && (!angle || !(*angle > 0.0))) {
+    root.fail(
+        "at_rest_within",
+        fmt::format("at_rest_within is {}, expected an angle with its unit such as \"0.02 deg\"", in_quotes(within)));
+  }
+  format.at_rest_within = angle.value_or(0.0);
+  format.max_rate = root.number_or("max_rate", format.max_rate);
+  if (!(format.max_rate > 0.0)) {
+    root.fail("max_rate", fmt::format("max_rate is {}, expected readings a second such as 20", format.max_rate));
+  }
   read_scales(root, format);
   check_columns(root, format);
   if (auto finished = document->finish(); !finished) {
     return tl::unexpected(finished.error());
+  }
+  return format;
+}
+
+Expected<StreamFormat> for_arm(StreamFormat format, const Arm& arm, const std::filesystem::path& path) {
+  if (format.joints.size() != arm.joints.size()) {
+    return bad_input(fmt::format("the stream has {} joints, the arm {} has {}; name the field of each in `joints`",
+                                 format.joints.size(), in_quotes(arm.name), arm.joints.size()),
+                     path.string());
+  }
+  for (std::size_t j = 0; j < arm.joints.size(); ++j) {
+    if (arm.joints[j].is_prismatic() && format.has_counts) {
+      return bad_input(
+          fmt::format("joint {} of the arm is prismatic, and counts per turn say nothing of its travel; hand "
+                      "its length on instead of counts",
+                      j + 1),
+          path.string());
+    }
+    if (arm.joints[j].is_prismatic()) {
+      format.joint_scale[j] = format.length_scale;
+    }
   }
   return format;
 }

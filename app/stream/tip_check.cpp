@@ -1,67 +1,95 @@
 #include "app/stream/tip_check.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "artefacts/virtual_probing/postures.h"
+#include "core/kabsch.h"
 #include "core/units.h"
 
 namespace artcal {
 namespace {
 
-constexpr double max_off = 0.01;  // of the reach
+constexpr double max_deviation = 0.01;  // of the reach
 constexpr double far_better = 10.0;
 
-using Change = std::function<void(Eigen::VectorXd&)>;
+/// What could have been done to the angles, and how it is put right.
+struct Hypothesis {
+  std::string text;
+  std::function<void(Eigen::VectorXd&)> correct;
+};
 
-double off_by(const Arm& arm, const std::vector<StreamEvent>& events, const Change& change) {
-  std::vector<Eigen::Vector3d> tips;
-  for (const StreamEvent& event : events) {
-    Eigen::VectorXd q = event.joints;
-    change(q);
-    tips.push_back(tip_at(arm, 0, q));
+// Deviation of the reported tips from those by the arm's file after the best rigid motion, rms, mm.
+double deviation(const Arm& arm, int probe, const std::vector<StreamEvent>& events, const Hypothesis& hypothesis) {
+  const auto count = static_cast<Eigen::Index>(events.size());
+  Eigen::Matrix3Xd by_angles(3, count);
+  Eigen::Matrix3Xd reported(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    Eigen::VectorXd q = events[static_cast<std::size_t>(i)].joints;
+    hypothesis.correct(q);
+    by_angles.col(i) = tip_at(arm, probe, q);
+    reported.col(i) = *events[static_cast<std::size_t>(i)].tip_in_base;
   }
-  double worst = 0.0;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    for (std::size_t k = i + 1; k < events.size(); ++k) {
-      const double reported = (*events[i].tip_in_base - *events[k].tip_in_base).norm();
-      worst = std::max(worst, std::abs((tips[i] - tips[k]).norm() - reported));
+  by_angles.colwise() -= Eigen::Vector3d(by_angles.rowwise().mean());
+  reported.colwise() -= Eigen::Vector3d(reported.rowwise().mean());
+  const Eigen::Matrix3d rotation = rotation_of_moment(reported * by_angles.transpose()).rotation;
+  return std::sqrt((reported - rotation * by_angles).squaredNorm() / static_cast<double>(count));
+}
+
+std::vector<Hypothesis> orders_and_signs(Eigen::Index joints) {
+  std::vector<Hypothesis> all{{"", [](Eigen::VectorXd&) {}}};
+  for (Eigen::Index i = 0; i < joints; ++i) {
+    all.push_back({fmt::format("the sign of q{} reversed", i + 1), [i](Eigen::VectorXd& q) { q[i] = -q[i]; }});
+    for (Eigen::Index j = i + 1; j < joints; ++j) {
+      all.push_back(
+          {fmt::format("q{} and q{} exchanged", i + 1, j + 1), [i, j](Eigen::VectorXd& q) { std::swap(q[i], q[j]); }});
     }
   }
-  return worst;
+  all.push_back({"all signs reversed", [](Eigen::VectorXd& q) { q = -q; }});
+  all.push_back({"the joints in reverse order", [](Eigen::VectorXd& q) { q.reverseInPlace(); }});
+  return all;
+}
+
+std::vector<Hypothesis> hypotheses(Eigen::Index joints) {
+  const std::pair<const char*, double> units[] = {
+      {"", 1.0}, {"the angles read as radians", 1.0 / units::degree}, {"the angles read as degrees", units::degree}};
+  std::vector<Hypothesis> all;
+  for (const auto& [unit, factor] : units) {
+    for (const Hypothesis& order : orders_and_signs(joints)) {
+      const std::string joined = *unit == '\0' || order.text.empty() ? "" : " and ";
+      all.push_back({unit + joined + order.text, [factor = factor, correct = order.correct](Eigen::VectorXd& q) {
+                       q *= factor;
+                       correct(q);
+                     }});
+    }
+  }
+  return all;
 }
 
 }  // namespace
 
-std::string check_tips(const Arm& arm, const std::vector<StreamEvent>& events) {
-  const double as_read = off_by(arm, events, [](Eigen::VectorXd&) {});
-  if (as_read <= max_off * reach(arm)) {
+std::string check_tips(const Arm& arm, int probe, const std::vector<StreamEvent>& events) {
+  const auto all = hypotheses(static_cast<Eigen::Index>(arm.joints.size()));
+  const double as_read = deviation(arm, probe, events, all.front());
+  if (as_read <= max_deviation * reach(arm)) {
     return "";
   }
-  std::string best = "check the joints' order, signs and units, the arm's file and the probe";
+  std::string advice = "check order, signs and unit of the joints, the arm's file and the probe";
   double least = as_read / far_better;
-  const auto try_out = [&](const std::string& text, const Change& change) {
-    if (const double off = off_by(arm, events, change); off < least) {
-      least = off;
-      best = fmt::format("{} they differ by {:.3g} mm only", text, off);
-    }
-  };
-  try_out("with the angles taken for radians", [](Eigen::VectorXd& q) { q /= units::degree; });
-  try_out("with the angles taken for degrees", [](Eigen::VectorXd& q) { q *= units::degree; });
-  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(arm.joints.size()); ++i) {
-    try_out(fmt::format("with the sign of q{} turned round", i + 1), [i](Eigen::VectorXd& q) { q[i] = -q[i]; });
-    for (Eigen::Index j = i + 1; j < static_cast<Eigen::Index>(arm.joints.size()); ++j) {
-      try_out(fmt::format("with q{} and q{} exchanged", i + 1, j + 1),
-              [i, j](Eigen::VectorXd& q) { std::swap(q[i], q[j]); });
+  for (const Hypothesis& hypothesis : all) {
+    if (const double by_hypothesis = deviation(arm, probe, events, hypothesis); by_hypothesis < least) {
+      least = by_hypothesis;
+      advice = fmt::format("with {} they deviate by {:.3g} mm: correct `joints` or `units` of the stream's file",
+                           hypothesis.text, by_hypothesis);
     }
   }
   return fmt::format(
-      "the tip's coordinates and the joint angles do not belong together: distances between the first {} readings "
-      "differ by up to {:.4g} mm by the arm's file; {}",
-      events.size(), as_read, best);
+      "the tip's coordinates are not those of the joint angles: the first {} readings deviate by {:.4g} mm rms by the "
+      "arm's file; {}",
+      events.size(), as_read, advice);
 }
 
 }  // namespace artcal

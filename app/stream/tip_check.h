@@ -9,9 +9,9 @@
 namespace artcal {
 
 /// What to say where the coordinates that the arm's own software reports are not those of its joint angles by `arm`: by
-/// more than a hundredth of the reach. Distances between the tips are compared, so that the software may have a frame
-/// of its own. Another unit, two joints exchanged or one sign are named where one of them brings both together. Empty
-/// where they agree. Events have coordinates; the arm's first probe counts.
-std::string check_tips(const Arm& arm, const std::vector<StreamEvent>& events);
+/// more than a hundredth of the reach, rms, after the rigid motion that brings them together best (the software may
+/// have a frame of its own). Another unit, joints in another order or signs are named where one of them brings both
+/// together. Empty where they agree. Events have coordinates; at least four. `probe` is into Arm::probes.
+std::string check_tips(const Arm& arm, int probe, const std::vector<StreamEvent>& events);
 
 }  // namespace artcal

@@ -1,7 +1,10 @@
 #!/usr/bin/python3
 """Table of confusion of `artcal inspect`: what is planted against what is named (docs/inspection.md).
 
-    confusion.py PROGRAM FOLDER DRAWS [KIND …]     sessions that are in FOLDER already are used as they are
+    confusion.py PROGRAM FOLDER DRAWS [KIND …]
+
+Sessions that are in FOLDER already are used as they are, and so is what was named of them (named.txt): a table that was
+interrupted goes on. For another program take another folder.
 """
 import collections
 import json
@@ -20,10 +23,15 @@ def named(program, folder, kind, seed):
     where = pathlib.Path(folder) / f"{kind}-{seed}"
     if not (where / "recording.toml").exists():
         sessions.make(where, kind, seed)
+    known = where / "named.txt"
+    if known.exists():
+        return known.read_text()
     done = subprocess.run([program, "inspect", str(where / "recording.toml"), "--json", "-"], capture_output=True)
     if done.returncode > 1:
         return f"exit {done.returncode}"
-    return ", ".join(sorted({finding["kind"] for finding in json.loads(done.stdout)["findings"]}))
+    names = ", ".join(sorted({finding["kind"] for finding in json.loads(done.stdout)["findings"]}))
+    known.write_text(names)
+    return names
 
 
 def main():

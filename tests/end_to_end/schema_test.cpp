@@ -110,6 +110,15 @@ TEST_F(ResultSchema, OfIdentifications) {
 TEST_F(ResultSchema, OfInspections) {
   take("ball-bar");
   take("sphere-plate");
+  write("stream.toml",
+        "schema = \"artcal-stream/1\"\nform = \"columns\"\njoints = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\"]\n"
+        "units = { joint = \"deg\" }\n");
+  write("events.csv",
+        "10,20,30,40,50,60\nx\n11,21,30,40,50,60\n90,21,30,40,50,60\n-90,21,30,40,50,60\n"
+        "10,90,30,40,50,60\n140,21,30,40,50,60\n");
+  check({"record", "stream.toml", "--arm", "ball-bar/arm.toml", "--artefact", "ball-bar/bar.toml", "-o", "today",
+         "--source", "events.csv", "--json", "-"},
+        "record", 1);
   check({"inspect", "ball-bar/recording.toml", "--json", "-"}, "inspection");
   check({"inspect", "sphere-plate/recording.toml", "--json", "-"}, "inspection");
   write("ball-bar/recording.toml", "date = 1926-03-10\n" + text_of("ball-bar/recording.toml"));
