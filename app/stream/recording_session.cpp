@@ -11,8 +11,10 @@
 #include "acquisition/csv/csv_text.h"
 #include "app/stream/tip_check.h"
 #include "artefacts/virtual_probing/postures.h"
+#include "core/files/size_limits.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
+#include "core/text/utf8.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -30,6 +32,12 @@ constexpr std::size_t max_mistakes = 10;  // repeated at the end
 
 std::string reason_or_other(const std::map<std::string, std::size_t>& known, const std::string& reason) {
   return known.contains(reason) || known.size() < max_reasons ? reason : "other lines that are no events";
+}
+
+// A device may send anything, and one label that is no text would make the whole table unreadable.
+bool is_name(std::string_view name) {
+  return !name.empty() && name.size() <= largest::name && find_not_utf8(name) == std::string_view::npos &&
+         !find_control(name);
 }
 
 bool is_near(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double within) {
@@ -203,16 +211,16 @@ RecordingSession::Step RecordingSession::operate(std::string_view words) {
       last_.resize(0);
     }
     say_label(step.removes_last, "there is no reading to take back");
-  } else if ((word == "artefact" || word == "placement" || word == "feature") && !name.empty()) {
+  } else if ((word == "artefact" || word == "placement" || word == "feature") && is_name(name)) {
     const std::size_t column = word == "artefact" ? 0 : word == "placement" ? 1 : 2;
     if (!labels_.name(column, name)) {
       step.message = fmt::format("no {} of the readings to come is called {}", word, in_quotes(name));
     }
   } else {
-    step.message = fmt::format(
-        "{} is not understood, expected !next feature, !next placement, !artefact NAME, "
+    step = pass_over(
+        "lines with ! that are not understood, expected !next feature, !next placement, !artefact NAME, "
         "!placement NAME, !feature NAME or !undo",
-        in_quotes("!" + std::string(words)));
+        true);
   }
   return step;
 }

@@ -112,10 +112,10 @@ TEST_F(ResultSchema, OfInspections) {
   take("sphere-plate");
   write("stream.toml",
         "schema = \"artcal-stream/1\"\nform = \"columns\"\njoints = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\"]\n"
-        "units = { joint = \"deg\" }\n");
+        "xyz = [\"7\", \"8\", \"9\"]\nunits = { joint = \"deg\" }\n");
   write("events.csv",
-        "10,20,30,40,50,60\nx\n11,21,30,40,50,60\n90,21,30,40,50,60\n-90,21,30,40,50,60\n"
-        "10,90,30,40,50,60\n140,21,30,40,50,60\n");
+        "10,20,30,40,50,60,0,0,0\nx\n90,20,30,40,50,60,1,0,0\n-90,20,30,40,50,60,2,0,0\n"
+        "10,90,30,40,50,60,3,0,0\n");
   check({"record", "stream.toml", "--arm", "ball-bar/arm.toml", "--artefact", "ball-bar/bar.toml", "-o", "today",
          "--source", "events.csv", "--json", "-"},
         "record", 1);
