@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 #include <fmt/format.h>
-
-#include "fitting/segmentation/votes/radix_sort.h"
 
 namespace artcal::segmentation {
 namespace {
@@ -14,6 +13,14 @@ using Key = std::uint64_t;
 constexpr Key y_step = Key{1} << VoxelGrid::bits;
 constexpr Key z_step = y_step << VoxelGrid::bits;
 constexpr Key axis_mask = y_step - 1;
+
+// A point and its cube; points of one cube keep their order, so that sums do. (A radix sort was 0.1 s faster on five
+// million points, of 4 s that their segmentation takes.)
+struct Keyed {
+  Key key;
+  std::uint32_t index;
+  auto operator<=>(const Keyed&) const = default;
+};
 
 // Cubes are counted from 1, so that a neighbour below the first one does not borrow from the next axis.
 Key coordinate(double offset, double edge) { return static_cast<Key>(std::floor(offset / edge)) + 1; }
@@ -53,7 +60,7 @@ Expected<VoxelGrid> VoxelGrid::make(const Points& points, double edge) {
   for (std::size_t i = 0; i < count; ++i) {
     keyed[i] = {key_of(points.col(static_cast<Eigen::Index>(i)) - grid.origin_, edge), static_cast<std::uint32_t>(i)};
   }
-  sort_by_key(keyed);
+  std::ranges::sort(keyed);
   grid.order_.reserve(count);
   for (const auto& [key, index] : keyed) {
     if (grid.keys_.empty() || grid.keys_.back() != key) {
@@ -100,7 +107,7 @@ VoxelGrid VoxelGrid::coarsened() const {
     }
     keyed[i] = {key, static_cast<std::uint32_t>(i)};
   }
-  sort_by_key(keyed);
+  std::ranges::sort(keyed);
   for (const auto& [key, index] : keyed) {
     if (coarse.keys_.empty() || coarse.keys_.back() != key) {
       coarse.keys_.push_back(key);

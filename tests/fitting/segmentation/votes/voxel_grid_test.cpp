@@ -7,7 +7,6 @@
 
 #include "core/random.h"
 #include "fitting/segmentation/spheres/direction_cells.h"
-#include "fitting/segmentation/votes/radix_sort.h"
 
 namespace artcal::segmentation {
 namespace {
@@ -81,19 +80,6 @@ TEST(VoxelGrid, HugeRoomsAreCountedRight) {
   EXPECT_EQ(grid.within(points, points.col(7), 1.0), std::vector<int>{7});
   points.col(7) = Eigen::Vector3d::Constant(1e9);
   EXPECT_FALSE(VoxelGrid::make(points, 2.0));
-}
-
-TEST(RadixSort, SortsAndKeepsTheOrderOfEquals) {
-  RandomStream random(8, "keys");
-  std::vector<Keyed> items;
-  for (std::uint32_t i = 0; i < 5000; ++i) items.push_back({random.bits() & (i % 2 == 0 ? ~0ull : 0xffull), i});
-  auto expected = items;
-  std::stable_sort(expected.begin(), expected.end(), [](const Keyed& a, const Keyed& b) { return a.key < b.key; });
-  sort_by_key(items);
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    EXPECT_EQ(items[i].key, expected[i].key);
-    EXPECT_EQ(items[i].index, expected[i].index);
-  }
 }
 
 TEST(DirectionCells, SharesAreAreas) {
