@@ -41,11 +41,6 @@ HistoryEntry read_entry(StoreReader& reader, const StoreRow& row) {
   return entry;
 }
 
-bool is_identified(const CalibratedParameter& parameter) {
-  return parameter.state == result_name(ParameterState::Identified) ||
-         parameter.state == result_name(ParameterState::Weak);
-}
-
 double noise_freedom(const StoreValue& is_given, const StoreValue& degrees_of_freedom) {
   const auto* given = std::get_if<long long>(&is_given);
   const auto* freedom = std::get_if<long long>(&degrees_of_freedom);

@@ -1,26 +1,16 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "acquisition/arm/arm.h"
 #include "app/history/length_change.h"
+#include "app/results/drift/parameter_comparison.h"
 #include "app/store/store.h"
 #include "artefacts/verification/interim.h"
 
 namespace artcal {
-
-/// A parameter as a calibration left it, mm or rad.
-struct CalibratedParameter {
-  std::string name, unit, state;
-  double value = 0.0;
-  double u = 0.0;                                                       ///< standard uncertainty; 0 unless identified
-  double degrees_of_freedom = std::numeric_limits<double>::infinity();  ///< effective, of u
-};
 
 /// What all results of a store have.
 struct HistoryEntry {
@@ -30,14 +20,11 @@ struct HistoryEntry {
   std::vector<std::string> certificates;  ///< "ball bar "X", certificate 4711 of Laboratory", sorted
 };
 
-struct Calibration {
+struct Calibration : CalibratedParameters {
   HistoryEntry entry;
   std::optional<double> rms_before;  ///< mm; nothing where the readings cannot evaluate the nominal arm
   double rms_after = 0.0;            ///< mm
-  std::vector<CalibratedParameter> parameters;
-  Eigen::MatrixXd covariance;      ///< of the identified ones, in their order
-  Eigen::MatrixXd unidentifiable;  ///< by all parameters, a column for each combination that no reading sees
-  std::optional<Arm> arm;          ///< as identified; nothing where an earlier version of artcal stored the result
+  std::optional<Arm> arm;            ///< as identified; nothing where an earlier version of artcal stored the result
 };
 
 struct PastVerification {
@@ -47,30 +34,11 @@ struct PastVerification {
   std::vector<TestValue> values;  ///< with what compare() asks for
 };
 
-/// How a parameter changed from one calibration to the next.
-struct ParameterChange {
-  std::string name, unit;
-  double then = 0.0, now = 0.0;
-  double u = 0.0;            ///< √(u²(then) + u²(now))
-  double limit = 0.0;        ///< significance_factor() of all changes, by the effective degrees of freedom of u
-  double expanded = 0.0;     ///< k·u, k = 2 or Student's factor where larger
-  bool significant = false;  ///< beyond `limit` times u
-};
-
-/// What changed between two calibrations of an arm. Parameters hang together: readings tell theta6 + a6/l, and which of
-/// the two takes what depends on the value at which the other is fixed. Therefore the later one is compared in the
-/// gauge of the earlier one (app/results/verification/gauge.h), where there is such a statement of it.
-struct CalibrationStep {
-  std::size_t then = 0, now = 0;  ///< into ArmHistory::calibrations
-  std::string not_comparable;     ///< why not; empty where it is
-  std::vector<std::string>
-      moved;  ///< fixed parameters whose value differed; the later parameters are stated without it
-  std::vector<ParameterChange> changes;
-  double chi_squared = 0.0;             ///< of all changes together, by the sum of both covariances
-  double limit = 0.0;                   ///< what chance stays below in 95 of 100 cases
+/// What changed between two calibrations of an arm.
+struct CalibrationStep : ParameterComparison {
+  std::size_t then = 0, now = 0;        ///< into ArmHistory::calibrations
   std::vector<std::string> in_common;   ///< certificates that both rest on
   std::optional<LengthChange> lengths;  ///< by how much measured lengths change; nothing where an arm is not known
-  [[nodiscard]] bool significant() const { return chi_squared > limit; }
 };
 
 /// What changed between two verifications by the same standard.

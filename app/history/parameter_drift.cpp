@@ -9,7 +9,7 @@
 #include "app/history/time_labels.h"
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
-#include "app/report/sections/change_table.h"
+#include "app/report/over_time/change_table.h"
 #include "app/results/shown_unit.h"
 #include "core/units.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/report/numbers.h"
-#include "app/report/sections/drift.h"
+#include "app/report/over_time/drift.h"
 #include "app/report/sections/identification_section.h"
 #include "app/report/sections/monte_carlo_section.h"
 #include "app/report/sections/provenance.h"

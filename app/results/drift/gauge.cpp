@@ -1,4 +1,4 @@
-#include "app/results/verification/gauge.h"
+#include "app/results/drift/gauge.h"
 
 #include <algorithm>
 #include <cmath>

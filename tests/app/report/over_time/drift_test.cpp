@@ -1,4 +1,4 @@
-#include "app/report/sections/drift.h"
+#include "app/report/over_time/drift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,11 @@ Json identification(const std::string& date, const std::string& hash, double val
             {"coupling", {{"angle_scale_mm", 1000.0}, {"unidentifiable", Json::array()}}}};
   for (int i = 0; i < parameter_count; ++i) {
     const std::string name = "p" + std::to_string(i);
-    json["parameters"].push_back(
-        {{"name", name}, {"unit", i % 2 == 0 ? "mm" : "rad"}, {"identified", value}, {"standard_uncertainty", u}});
+    json["parameters"].push_back({{"name", name},
+                                  {"unit", i % 2 == 0 ? "mm" : "rad"},
+                                  {"state", "identified"},
+                                  {"identified", value},
+                                  {"standard_uncertainty", u}});
     json["covariance"]["parameters"].push_back(name);
     json["covariance"]["matrix"].push_back(std::vector<double>(parameter_count, 0.0));
     json["covariance"]["matrix"][i][i] = u * u;
@@ -90,6 +93,7 @@ TEST(Drift, GoesByDateWhateverTheOrder) {
 
 TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
   Json other = identification("2026-02-01", "b", 5.0);
+  other["parameters"][0]["state"] = "fixed";
   other["covariance"]["parameters"].erase(0);
   other["covariance"]["matrix"].erase(0);
   for (Json& row : other["covariance"]["matrix"]) row.erase(0);
@@ -101,7 +105,8 @@ TEST(Drift, OfParametersThatWereHeldDifferentlyIsNotTold) {
 // Parameter p1 is an angle at the end of a link l of 183.5 mm, beside a6, which no reading tells apart from it.
 Json with_a6(Json json, double a6) {
   const double l = 183.5;
-  json["parameters"].push_back({{"name", "a6"}, {"unit", "mm"}, {"identified", a6}, {"standard_uncertainty", nullptr}});
+  json["parameters"].push_back(
+      {{"name", "a6"}, {"unit", "mm"}, {"state", "fixed"}, {"identified", a6}, {"standard_uncertainty", nullptr}});
   json["coupling"]["unidentifiable"].push_back(
       {{"fixed", "a6"}, {"text", ""}, {"motion", {{"a6", 1.0}, {"p1", -1.0 / l}, {"p0", -a6 / l}}}});
   return json;

@@ -1,4 +1,4 @@
-#include "app/report/sections/change_table.h"
+#include "app/report/over_time/change_table.h"
 
 #include <cmath>
 
