@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "identification/cross_validation/checked_predictions.h"
 #include "identification/least_squares/evaluation_of_system.h"
-#include "identification/uncertainty/unmodelled_errors.h"
 
 namespace artcal {
 namespace {
