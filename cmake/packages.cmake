@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libartcal-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     libeigen3-dev libceres-dev libexpected-dev libfmt-dev libboost-dev libssl-dev libtomlplusplus-dev
-    libcgal-dev libpcl-dev libpugixml-dev liblzf-dev)
+    libcgal-dev libpcl-dev libpugixml-dev liblzf-dev libyaml-cpp-dev)
 list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 
 include(CPack)

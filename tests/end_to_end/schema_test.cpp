@@ -251,6 +251,11 @@ TEST_F(ResultSchema, OfHistories) {
   check({"history", verification["arm"].get<std::string>(), "--store", "s.sqlite", "--json", "-"}, "history");
 }
 
+TEST_F(ResultSchema, OfReportedModels) {
+  take("gao2013");
+  check({"arm", "from-coordinates", "gao2013/recording.toml", "--json", "-"}, "reported_model");
+}
+
 TEST_F(ResultSchema, OfPoints) {
   take("ball-bar");
   check({"points", "ball-bar/recording.toml", "--json", "-"}, "points");
