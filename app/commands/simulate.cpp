@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -15,6 +18,8 @@
 #include "app/output/table.h"
 #include "app/requests/access_option.h"
 #include "app/results/planning/simulation_json.h"
+#include "app/stream/planted_mistake.h"
+#include "app/stream/virtual_events.h"
 #include "app/version.h"
 #include "artefacts/simulation/pattern.h"
 #include "artefacts/simulation/plan/plan_file.h"
@@ -36,6 +41,9 @@ struct Request {
   bool force = false;
   std::optional<std::uint64_t> seed;
   int threads = 0;
+  bool stream = false;
+  double rate = 0.0;  // readings a second; 0: as fast as it goes
+  std::vector<std::string> mistakes;
 };
 
 // Files that are made, not copied.
@@ -246,23 +254,88 @@ Expected<int> simulate_and_write(const Request& request) {
   return request.common.tell(truth, summary(*file, *simulation, request));
 }
 
+// Sends the readings to standard output, as an arm would.
+Expected<int> simulate_and_send(const Request& request) {
+  if (!request.folder.empty() || !request.common.json.empty()) {
+    return wrong_usage("--stream writes events to standard output and nothing else; leave -o and --json out");
+  }
+  auto file = read_plan_file(request.plan, request.access.of(request.plan));
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  file->plan.seed = request.seed.value_or(file->plan.seed);
+  std::vector<PlantedMistake> mistakes;
+  for (const std::string& text : request.mistakes) {
+    auto mistake = parse_mistake(text, static_cast<int>(file->plan.nominal.joints.size()));
+    if (!mistake) {
+      return tl::unexpected(mistake.error());
+    }
+    mistakes.push_back(*mistake);
+  }
+  auto simulation = simulate(file->plan, request.threads);
+  if (!simulation) {
+    return tl::unexpected(simulation.error());
+  }
+  for (const PlantedMistake& mistake : mistakes) {
+    if (auto planted = plant(mistake, file->plan, *simulation); !planted) {
+      return tl::unexpected(planted.error());
+    }
+  }
+  const double period = 1.0 / (request.rate > 0.0 ? request.rate : 1.0);
+  return send_events(*simulation, mistakes, period,
+                     [&](const std::string& lines) {
+                       const bool sent = std::fwrite(lines.data(), 1, lines.size(), stdout) == lines.size() &&
+                                         std::fflush(stdout) == 0;
+                       if (request.rate > 0.0) {
+                         std::this_thread::sleep_for(std::chrono::duration<double>(period));
+                       }
+                       return sent;
+                     })
+      .map([] { return 0; });
+}
+
+Expected<int> simulate_as_asked(const Request& request) {
+  if (request.stream) {
+    return simulate_and_send(request);
+  }
+  if (request.folder.empty()) {
+    return wrong_usage("--output is missing, expected -o FOLDER, or --stream for events on standard output");
+  }
+  if (!request.mistakes.empty() || request.rate > 0.0) {
+    return wrong_usage("--mistake and --rate are of --stream, which is missing");
+  }
+  return simulate_and_write(request);
+}
+
 }  // namespace
 
 Run set_up_simulate(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("plan", request->plan, "plan.toml")->required()->type_name("PLAN");
   parser.add_option("-o,--output", request->folder, "folder to write: a recording, and the truth beside it")
-      ->required()
       ->type_name("FOLDER");
   parser.add_flag("--force", request->force, "replace a folder that an earlier simulation has written");
   parser.add_option("--seed", request->seed, "instead of the plan's")->check(CLI::Range(0L, 9007199254740992L));
   parser.add_option("--threads", request->threads, "0: as many as the machine has; the readings are the same with any")
       ->check(CLI::Range(0, 256));
+  parser.add_flag("--stream", request->stream,
+                  "send the readings to standard output instead, as events of an arm for artcal record");
+  parser.add_option("--rate", request->rate, "of --stream, readings a second; by default as fast as it goes")
+      ->check(CLI::Range(0.001, 1e6))
+      ->type_name("NUMBER");
+  parser
+      .add_option("--mistake", request->mistakes,
+                  "of --stream: a mistake to plant; joints:2,3 or sign:3 or slip:4,30 (deg) or moved:12 (mm) or "
+                  "wrong-feature")
+      ->allow_extra_args(false)
+      ->type_name("KIND");
   request->access.add_to(parser);
   request->common.add_to(parser);
-  parser.footer("Examples:\n  artcal simulate examples/simulate/plan.toml -o simulated");
+  parser.footer(
+      "Examples:\n  artcal simulate examples/simulate/plan.toml -o simulated\n"
+      "  artcal simulate examples/simulate/plan.toml --stream --rate 2");
   return [request] {
-    const auto done = simulate_and_write(*request);
+    const auto done = simulate_as_asked(*request);
     return done ? *done : report_error(done.error());
   };
 }
