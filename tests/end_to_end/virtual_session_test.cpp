@@ -31,7 +31,7 @@ class VirtualSession : public testing::ProgramTest {
     write("plan.toml",
           "schema = \"artcal-plan/1\"\nname = \"session\"\narm = \"arm.toml\"\nartefacts = [\"bar.toml\"]\nseed = 1\n"
           "units = { length = \"mm\", angle = \"deg\" }\n[errors]\nlength = \"0.3 mm\"\nangle = \"0.1 deg\"\n"
-          "[noise]\nencoder = \"2 arcsec\"\nprobing = \"3 um\"\n[[placement]]\nrandom = 4\n[[probing]]\npoints = 6\n");
+          "[noise]\nencoder = \"2 arcsec\"\nprobing = \"3 um\"\n[[placement]]\nrandom = 3\n[[probing]]\npoints = 6\n");
     std::string stream = text_of("streams/simulated.toml");
     const std::string more = ", \"Angle5\", \"Angle6\"";
     write("stream.toml", stream.erase(stream.find(more), more.size()));
@@ -47,7 +47,8 @@ class VirtualSession : public testing::ProgramTest {
   }
   std::string kinds(const std::string& recording) {
     std::string all;
-    for (const auto& finding : nlohmann::json::parse(run({"inspect", recording, "--json", "-"}).out)["findings"]) {
+    const auto result = nlohmann::json::parse(run({"inspect", recording, "--json", "-"}).out);
+    for (const auto& finding : result["findings"]) {
       all += (all.empty() ? "" : " ") + finding["kind"].get<std::string>();
     }
     return all;
