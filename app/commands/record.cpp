@@ -22,6 +22,8 @@
 #include "artefacts/artefact/artefact_file.h"
 #include "core/calendar_date.h"
 #include "core/text/in_quotes.h"
+#include "core/unit_names.h"
+#include "identification/planning/session_information.h"
 
 namespace artcal {
 namespace {
@@ -33,6 +35,7 @@ struct Request {
   CommonOptions common;
   AccessOption access;
   std::string format, source = "-", arm, folder, plan, probe, date, identified, result;
+  std::string encoder_noise, probing_noise, goal;
   std::vector<std::string> artefacts;
   std::optional<double> temperature;
   bool follow = false;
@@ -161,6 +164,37 @@ Expected<int> find_probe(const Request& request, const Arm& arm) {
       fmt::format("--probe is {}, expected one of the arm's probes: {}", in_quotes(request.probe), known));
 }
 
+Expected<double> quantity(const std::string& text, const char* option,
+                          std::optional<double> (*unit)(std::string_view)) {
+  const auto value = unit(text);
+  if (!value || !(*value > 0.0)) {
+    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit such as {}", option,
+                                   in_quotes(text), unit == angle_quantity ? "\"2 arcsec\"" : "\"3 um\""));
+  }
+  return *value;
+}
+
+// What the readings determine is told where the noise is stated: readings are worth what it says.
+Expected<void> predict(const Request& request, const Arm& arm, const std::vector<Artefact>& artefacts,
+                       RecordingSession& session) {
+  if (request.encoder_noise.empty() && request.probing_noise.empty()) {
+    return request.goal.empty() ? Expected<void>()
+                                : wrong_usage(
+                                      "--goal needs --encoder-noise and --probing-noise, by which the u of "
+                                      "lengths is predicted");
+  }
+  const auto encoder = quantity(request.encoder_noise, "--encoder-noise", angle_quantity);
+  const auto probing = quantity(request.probing_noise, "--probing-noise", length_quantity);
+  const auto goal = request.goal.empty() ? Expected<double>(0.0) : quantity(request.goal, "--goal", length_quantity);
+  for (const auto* read : {&encoder, &probing, &goal}) {
+    if (!*read) {
+      return tl::unexpected(read->error());
+    }
+  }
+  session.predict(SessionInformation(arm, artefacts, *encoder, *probing), *goal);
+  return {};
+}
+
 Expected<RecordingSession> begin_session(const Request& request, const Arm& arm) {
   auto format = read_stream_format(request.format).and_then([&](StreamFormat&& read) {
     return for_arm(std::move(read), arm, request.format);
@@ -189,7 +223,11 @@ Expected<RecordingSession> begin_session(const Request& request, const Arm& arm)
       return tl::unexpected(planned.error());
     }
   }
-  return RecordingSession(arm, *probe, *artefacts, std::move(*format), std::move(labels));
+  RecordingSession session(arm, *probe, *artefacts, std::move(*format), std::move(labels));
+  if (auto predicted = predict(request, arm, *artefacts, session); !predicted) {
+    return tl::unexpected(predicted.error());
+  }
+  return session;
 }
 
 nlohmann::ordered_json to_json(const Request& request, const RecordingSession& session, std::size_t rows,
@@ -299,6 +337,13 @@ Run set_up_record(CLI::App& parser) {
   parser.add_option("--probe", request->probe, "the probe, where the arm has several")->type_name("NAME");
   parser.add_option("--temperature", request->temperature, "of the artefacts, in degC; written to every reading");
   parser.add_option("--date", request->date, "of the measurement; by default today")->type_name("DATE");
+  parser.add_option(
+      "--encoder-noise", request->encoder_noise,
+      "noise of each joint, such as \"2 arcsec\"; with --probing-noise the uncertainty of lengths that the "
+      "readings lead to is told after each");
+  parser.add_option("--probing-noise", request->probing_noise,
+                    "noise of the tip's coordinates beside the joints', such as \"3 um\"");
+  parser.add_option("--goal", request->goal, "u of a length to reach, such as \"20 um\"; told beside");
   parser.add_option("--identified", request->identified, "identify at the end, and write the identified arm")
       ->type_name("ARM");
   parser.add_option("--result", request->result, "identify at the end, and write the result as identify --json does")

@@ -52,7 +52,30 @@ RecordingSession::RecordingSession(Arm arm, int probe, const std::vector<Artefac
       probe_(probe),
       format_(std::move(format)),
       labels_(std::move(labels)),
+      artefacts_(artefacts),
       touches_(arm_, artefacts) {}
+
+void RecordingSession::predict(SessionInformation before_any_reading, double goal) {
+  information_ = before_any_reading;
+  before_any_reading_ = std::move(before_any_reading);
+  goal_ = goal;
+}
+
+// Folds a reading into what all determine, and says what that is.
+std::string RecordingSession::count_information(const Touch& touch, const Eigen::VectorXd& joints) {
+  const auto artefact = std::find_if(artefacts_.begin(), artefacts_.end(),
+                                     [&](const Artefact& known) { return known.name == touch.artefact; });
+  if (!information_ || artefact == artefacts_.end()) {
+    return "";
+  }
+  counted_.push_back({static_cast<int>(artefact - artefacts_.begin()), artefact->feature_index(touch.feature),
+                      touch.placement, touch.probe, joints});
+  information_->add(counted_.back());
+  const double u = information_->u_of_length().mean;
+  return fmt::format("rank {} of {}, u of a length {}{}", information_->rank(), information_->parameters(),
+                     u < 1.0 ? fmt::format("{:.3g} µm", u / units::micrometre) : "above 1 mm",
+                     goal_ > 0.0 ? fmt::format(", goal {:.3g} µm", goal_ / units::micrometre) : "");
+}
 
 std::string RecordingSession::header() const {
   std::string header = fmt::format("{}", fmt::join(labels_.columns(), ","));
@@ -98,7 +121,9 @@ Expected<void> RecordingSession::resume(const std::vector<std::string>& rows) {
           "was begun with, or record into another folder",
           csv->where(0));
     }
-    (void)touches_.add(touch_of(label, joints));
+    const Touch touch = touch_of(label, joints);
+    (void)touches_.add(touch);
+    (void)count_information(touch, joints);
     last_ = joints;
     on_disk_.insert(row.substr(row.size() - std::min(row.size(), values)));
   }
@@ -208,6 +233,13 @@ RecordingSession::Step RecordingSession::operate(std::string_view words) {
     step.removes_last = labels_.undo();
     if (step.removes_last) {
       touches_.undo();
+      information_ = before_any_reading_;
+      if (!counted_.empty()) {
+        counted_.pop_back();
+      }
+      for (const SessionReading& reading : counted_) {
+        information_->add(reading);
+      }
       last_.resize(0);
     }
     say_label(step.removes_last, "there is no reading to take back");
@@ -257,8 +289,10 @@ RecordingSession::Step RecordingSession::take(const StreamEvent& event) {
   }
   step.row += values_of(event);
   step.label = fmt::format("{} {} {}", label[0], label[1], label[2]);
-  const TouchCheck::Said said = touches_.add(touch_of(label, event.joints));
-  step.note = said.note;
+  const Touch touch = touch_of(label, event.joints);
+  const TouchCheck::Said said = touches_.add(touch);
+  const std::string information = count_information(touch, event.joints);
+  step.note = said.note + (said.note.empty() || information.empty() ? "" : "; ") + information;
   const std::size_t before = mistakes_.size();
   if (!said.warning.empty()) {
     mistakes_.push_back(step.label + ": " + said.warning);

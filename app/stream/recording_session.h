@@ -11,6 +11,7 @@
 #include "app/stream/label_sequence.h"
 #include "app/stream/stream_event.h"
 #include "app/stream/touch_check.h"
+#include "identification/planning/session_information.h"
 
 namespace artcal {
 
@@ -24,6 +25,9 @@ class RecordingSession {
 
   /// "artefact,placement,feature,q1,…", angles in deg, prismatic joints in mm; x, y, z in mm where the stream has them.
   [[nodiscard]] std::string header() const;
+  /// From now on the note of each reading has what all readings determine: "u of a length 34 µm, goal 20 µm". To be
+  /// called before resume(). `goal` in mm; none where it is not positive.
+  void predict(SessionInformation before_any_reading, double goal);
   /// Goes on after these rows of an earlier run. An event that is one of them is passed over, so that a file of events
   /// that is read again from its beginning goes on where it was. Refused: rows that are none of this session, labels
   /// that the plan does not have in this order.
@@ -60,13 +64,18 @@ class RecordingSession {
   Step pass_over(const std::string& reason, bool is_said);
   Step take(const StreamEvent& event);
   void compare_tips(const StreamEvent& event);
+  [[nodiscard]] std::string count_information(const Touch& touch, const Eigen::VectorXd& joints);
   [[nodiscard]] Touch touch_of(const ReadingLabel& label, const Eigen::VectorXd& joints) const;
 
   Arm arm_;
   int probe_;
   StreamFormat format_;
   LabelSequence labels_;
+  std::vector<Artefact> artefacts_;
   TouchCheck touches_;
+  std::optional<SessionInformation> before_any_reading_, information_;
+  std::vector<SessionReading> counted_;  // for undo
+  double goal_ = 0.0;
   std::set<std::string, std::less<>> on_disk_;  // what was measured, without labels
   std::map<std::string, std::size_t> passed_over_;
   std::vector<std::string> mistakes_;

@@ -130,6 +130,16 @@ TEST(RecordingSession, NamesATouchThatIsFarFromTheEarlierOnes) {
   EXPECT_THAT(step.message, HasSubstr("certified 100.000 mm; is it another feature"));
 }
 
+TEST(RecordingSession, TellsWhatAllReadingsDetermineAndTakesAnUndoneOneOutOfIt) {
+  RecordingSession taken = session(columns(false));
+  taken.predict(SessionInformation(small_arm(), plate(), 1e-5, 0.003), 0.02);
+  std::string note;
+  for (int i = 0; i < 12; ++i) note = taken.feed(line_of(posture(i))).note;
+  EXPECT_THAT(note, ::testing::ContainsRegex("rank [1-9][0-9]* of 19, u of a length .*, goal 20 µm"));
+  (void)taken.operate("undo");
+  EXPECT_EQ(taken.feed(line_of(posture(11))).note, note);
+}
+
 TEST(RecordingSession, ThinsByTheTimeOfEventsAndTakesAnArmThatHoldsStillOnce) {
   StreamFormat format = columns(false);
   format.time = "5";
