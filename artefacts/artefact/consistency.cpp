@@ -20,12 +20,12 @@ namespace artcal {
 namespace {
 
 constexpr double chance_of_one_set = 0.18;  // that a sound certificate is refused: that of four comparisons with k = 2
-constexpr double k = 2.0;
+constexpr double least_coverage_factor = 2.0;
 
 // Among many comparisons one is off by more than 2 u by chance: the coverage factor grows with their number.
 double coverage_factor(std::size_t comparisons) {
   const auto count = static_cast<double>(std::max<std::size_t>(comparisons, 1));
-  return std::max(k, std::sqrt(chi_squared_quantile(1.0 - chance_of_one_set / count, 1.0)));
+  return std::max(least_coverage_factor, std::sqrt(chi_squared_quantile(1.0 - chance_of_one_set / count, 1.0)));
 }
 
 Contradiction at_feature(int index, std::string message) {
@@ -56,7 +56,7 @@ std::optional<std::string> collision(const CertifiedFeature& a, const CertifiedF
     return std::nullopt;
   }
   const double distance = distance_between(a, b);
-  const double U = k * std::hypot(a.u_at, b.u_at);
+  const double U = least_coverage_factor * std::hypot(a.u_at, b.u_at);
   if (distance <= U) {
     return fmt::format("the features {} are in the same place; one of them is there twice", both(a, b));
   }
@@ -85,7 +85,7 @@ std::optional<Contradiction> find_collision(const Artefact& artefact) {
 std::optional<std::string> contradiction_of_ends(const Artefact& artefact, const CertifiedDistance& distance) {
   const CertifiedFeature& a = artefact.features[distance.first];
   const CertifiedFeature& b = artefact.features[distance.second];
-  if (a.radius && b.radius && distance.value + k * distance.u < *a.radius + *b.radius) {
+  if (a.radius && b.radius && distance.value + least_coverage_factor * distance.u < *a.radius + *b.radius) {
     return fmt::format("the balls {} overlap: the certified distance is {} mm, their radii together are {} mm",
                        both(a, b), distance.value, *a.radius + *b.radius);
   }

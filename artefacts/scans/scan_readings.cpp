@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t max_named = 200;  // characters of a list in a message
+constexpr std::size_t max_listed = 200;  // characters of a list in a message
 
 /// Adds readings on one sphere; `used` are columns of the cloud.
 class ReadingsOfScan {
@@ -109,9 +109,9 @@ std::string told_of(const RecordedScan& scan, const PointCloud& cloud, std::size
   const std::string thinning = scan.use_every > 1 ? fmt::format(" (use_every = {})", scan.use_every) : "";
   std::string text =
       fmt::format("{}: {} of {} points became readings{}: {}; the others were not used", scan.path, used,
-                  cloud.points.cols(), thinning, truncated(max_named, fmt::format("{}", fmt::join(counts, ", "))));
+                  cloud.points.cols(), thinning, truncated(max_listed, fmt::format("{}", fmt::join(counts, ", "))));
   if (!missing.empty()) {
-    text += fmt::format(". Not found: {}", truncated(max_named, fmt::format("{}", fmt::join(missing, ", "))));
+    text += fmt::format(". Not found: {}", truncated(max_listed, fmt::format("{}", fmt::join(missing, ", "))));
   }
   return text;
 }

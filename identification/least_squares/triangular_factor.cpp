@@ -12,7 +12,7 @@ namespace {
 // Rows that wait before they are folded: enough to make the reflections long, few enough for the first
 // cache. Folding below the triangle, reflection by reflection, takes half the time of a general QR of the
 // two stacked (docs/benchmarks.md).
-constexpr Eigen::Index block_rows = 96;
+constexpr Eigen::Index rows_at_once = 96;
 
 // Columns that are reflected at once: each pair of the reflector's numbers is loaded once for all of them, and their
 // sums do not wait for one another.
@@ -45,15 +45,15 @@ void reflect(const Vector& v, double twice, Row&& row, Columns&& columns) {
 }  // namespace
 
 TriangularFactor::TriangularFactor(int columns)
-    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(block_rows, columns) {}
+    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(rows_at_once, columns) {}
 
 void TriangularFactor::add(const RowsRef& rows) {
   for (Eigen::Index done = 0; done < rows.rows();) {
-    const Eigen::Index take = std::min<Eigen::Index>(rows.rows() - done, block_rows - filled_);
+    const Eigen::Index take = std::min<Eigen::Index>(rows.rows() - done, rows_at_once - filled_);
     waiting_.middleRows(filled_, take) = rows.middleRows(done, take);
     filled_ += take;
     done += take;
-    if (filled_ == block_rows) {
+    if (filled_ == rows_at_once) {
       fold();
     }
   }
@@ -64,7 +64,7 @@ void TriangularFactor::add(const RowsRef& rows) {
 void TriangularFactor::fold() {
   const Eigen::Index columns = triangle_.cols();
   if (filled_ % 2 == 1) {
-    waiting_.row(filled_++).setZero();  // block_rows is even
+    waiting_.row(filled_++).setZero();  // rows_at_once is even
   }
   auto rows = waiting_.topRows(filled_);
   for (Eigen::Index k = 0; k < columns; ++k) {

@@ -12,7 +12,7 @@
 namespace artcal {
 namespace {
 
-constexpr double rounding = 1e-12;       // mm
+constexpr double least_step = 1e-12;     // mm
 constexpr std::size_t min_scanned = 20;  // points of a scan, of which 95 % are not all
 
 /// One position of a ball in one repeat.
@@ -97,7 +97,7 @@ Eigen::Matrix3Xd gradient_of_diameter(const Eigen::Matrix3Xd& centres, double ra
   const Eigen::Matrix3Xd about_mean = centres.colwise() - centres.rowwise().mean();
   const double step = 1e-3 * radius;
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, centres.cols());
-  for (Eigen::Index i = 0; i < gradient.size() && step > rounding; ++i) {
+  for (Eigen::Index i = 0; i < gradient.size() && step > least_step; ++i) {
     Eigen::Matrix3Xd more = about_mean, less = about_mean;
     more.reshaped()(i) += step;
     less.reshaped()(i) -= step;

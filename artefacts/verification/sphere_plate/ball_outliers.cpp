@@ -13,7 +13,7 @@ namespace {
 
 constexpr double chance_of_one_set = 0.01;
 constexpr Eigen::Index enough_for_directions = 9;
-constexpr double rounding = 1e-9;  // mm; a scatter below it is none
+constexpr double least_scatter = 1e-9;  // mm
 
 Eigen::Matrix3Xd without(const Eigen::Matrix3Xd& points, Eigen::Index i) {
   Eigen::Matrix3Xd rest(3, points.cols() - 1);
@@ -60,7 +60,7 @@ BallOutlierTest studentised_residuals(const Eigen::Matrix3Xd& measured, const Ei
     if (!by_direction) {
       scatter = scatter.trace() / 3.0 * Eigen::Matrix3d::Identity();
     }
-    scatter += rounding * rounding * Eigen::Matrix3d::Identity();
+    scatter += least_scatter * least_scatter * Eigen::Matrix3d::Identity();
     const Eigen::Vector3d off = measured.col(i) - rest->to_from * Eigen::Vector3d(certified.col(i));
     const Eigen::Matrix3d root = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(certainty_of(arms, i)).operatorSqrt();
     const Eigen::Vector3d fair = root * off;

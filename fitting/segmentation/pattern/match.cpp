@@ -53,9 +53,9 @@ std::vector<int> order_of(const Eigen::MatrixXd& distances) {
 int fewest(int points) { return std::max(std::min(2, points), (points + 1) / 2); }
 
 /// Depth-first over the pattern's points: each takes every found point that its distances allow, or none.
-class Search {
+class DepthFirstSearch {
  public:
-  Search(const Pattern& pattern, const std::vector<FoundPoint>& found, std::vector<int> wanted)
+  DepthFirstSearch(const Pattern& pattern, const std::vector<FoundPoint>& found, std::vector<int> wanted)
       : pattern_(pattern),
         found_(found),
         order_(order_of(pattern.distances)),
@@ -183,7 +183,8 @@ Expected<Matching> match(const Pattern& pattern, const std::vector<FoundPoint>& 
     matching.unmet = std::move(resolved.unmet);
     return matching;
   }
-  return pattern.radii.empty() || found.empty() ? Matching{} : Search(pattern, found, std::move(resolved.found)).run();
+  return pattern.radii.empty() || found.empty() ? Matching{}
+                                                : DepthFirstSearch(pattern, found, std::move(resolved.found)).run();
 }
 
 }  // namespace artcal
