@@ -7,6 +7,9 @@
 
 namespace artcal {
 
+/// What is so far from its place, mm, and from what is usual is no reading of what it is said to be.
+inline constexpr double another_place = 2.0;
+
 /// A feature whose readings fit an arm far worse than the others' do, in words: rms above `far_off` (mm), five times
 /// the median, and more than chance makes of the worst of so many features of so few readings. The wrong ball was read,
 /// or in another place than the rest, or some readings are another feature's.

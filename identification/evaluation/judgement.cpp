@@ -14,9 +14,7 @@
 namespace artcal {
 namespace {
 
-// What stands out by more, mm, is worth a warning; by more than the second it is no reading of what it is said to be.
-constexpr double a_slip = 0.3;
-constexpr double another_place = 2.0;
+constexpr double a_slip = 0.3;  // mm; what stands out by more is worth a warning
 constexpr std::size_t max_readings_named = 5;
 
 }  // namespace

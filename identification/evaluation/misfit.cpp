@@ -19,8 +19,6 @@ constexpr double min_max_unmodelled = 0.1;  // mm
 constexpr double max_noise_per_reach = 5e-4;
 constexpr double min_max_noise = 0.5;  // mm
 constexpr double max_length_ratio = 20.0;
-// What is far enough from its place, mm, and from what is usual to be no reading of what it is said to be.
-constexpr double another_place = 2.0;
 constexpr double max_length_change_per_reach = 0.1;
 constexpr double min_max_length_change = 100.0;            // mm
 constexpr double max_angle_change = 30.0 * units::degree;  // rad

@@ -4,13 +4,13 @@
 
 #include <Eigen/QR>
 
+#include "core/contains.h"
+
 namespace artcal {
 namespace {
 
 // Relative to the growth: what is seen of it by rounding.
 constexpr double not_seen = 1e-6;
-// Of a direction, relative to its largest part: rounding.
-constexpr double no_part = 1e-7;
 // A length that stands for the scale has at least this share of the longest one.
 constexpr double long_enough = 1e-2;
 // Of 1 − (the part of a parameter in the null space)²: it is not identifiable whatever the others are.
@@ -30,10 +30,6 @@ Eigen::Index count_terms(const Eigen::MatrixXd& motions) {
     count += (motion.array().abs() > no_part * motion.cwiseAbs().maxCoeff()).count();
   }
   return count;
-}
-
-bool contains(const std::vector<int>& indices, int index) {
-  return std::find(indices.begin(), indices.end(), index) != indices.end();
 }
 
 // The scale without the lengths that are not identifiable by themselves.

@@ -9,6 +9,9 @@
 
 namespace artcal {
 
+/// Of a direction in physical units, relative to its largest coefficient: below it a parameter takes no part.
+inline constexpr double no_part = 1e-7;
+
 /// The common growth of all lengths in physical units (of `scale`, see System): the motion that readings without a
 /// calibrated length cannot see. Torques grow with lengths, so that compliances shrink.
 Eigen::VectorXd scale_motion(const Arm& arm, const std::vector<Parameter>& parameters, const Eigen::VectorXd& scale);

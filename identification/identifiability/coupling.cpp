@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contains.h"
 #include "identification/identifiability/common_scale.h"
 #include "identification/identifiability/svd.h"
 #include "identification/initial/constraint_projection.h"
@@ -22,13 +23,6 @@ constexpr double longest_arm = 1e5;
 // Where no singular value is larger, mm per mm, readings determine nothing and singular values are rounding: those of
 // an arm that was in one posture at each point, say.
 constexpr double min_sigma_max = 1.0;
-
-// Below this, relative to the largest coefficient and in physical units, a parameter takes no part.
-constexpr double no_part = 1e-7;
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 std::vector<int> indices_of(const std::vector<Parameter>& parameters, const std::vector<std::string>& names) {
   std::vector<int> indices;

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "core/contains.h"
+
 namespace artcal {
 namespace {
 
@@ -12,10 +14,6 @@ namespace {
 constexpr double well_determined = 0.05;
 // Below this a parameter takes no part but by rounding.
 constexpr double takes_part = 1e-6;
-
-bool contains(const std::vector<int>& indices, int index) {
-  return std::find(indices.begin(), indices.end(), index) != indices.end();
-}
 
 /// The unidentifiable directions that are left while parameters are fixed one after the other.
 class RemainingDirections {

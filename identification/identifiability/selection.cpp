@@ -7,14 +7,11 @@
 #include <fmt/ranges.h>
 
 #include "acquisition/arm/forward_kinematics.h"
+#include "core/contains.h"
 #include "identification/identifiability/unidentifiable_text.h"
 
 namespace artcal {
 namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 Expected<void> check_names(const std::vector<Parameter>& parameters, const std::vector<std::string>& names,
                            std::string_view option) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm/joint_error_keys.h"
+#include "core/contains.h"
 #include "identification/identifiability/svd.h"
 #include "identification/identifiability/unidentifiable_text.h"
 #include "identification/problem/weights.h"
@@ -14,10 +15,6 @@ namespace artcal {
 namespace {
 
 using Reason = FixedMember::Reason;
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 /// A member of a group that is on offer to be fixed.
 struct Member {

@@ -10,6 +10,7 @@
 
 #include "acquisition/arm/parallel_axes.h"
 #include "acquisition/recording/tip_centres.h"
+#include "core/contains.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -43,10 +44,6 @@ bool is_member(ParameterGroup group, const Parameter& parameter, const Arm& arm)
     case ParameterGroup::Radius: return kind == Kind::Radius;
   }
   return false;
-}
-
-bool contains(const Model& model, ParameterGroup group) {
-  return std::find(model.begin(), model.end(), group) != model.end();
 }
 
 Error unknown_group(std::string_view text, std::string_view name) {
