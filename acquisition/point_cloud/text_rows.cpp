@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text/in_quotes.h"
+#include "core/text/trimmed.h"
 
 namespace artcal {
 namespace {
@@ -14,16 +15,6 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 bool is_digit_or_point(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && is_blank(text.back())) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
 
 // Characters of numbers alone: a decimal comma, an exponent out of range. They give nothing away.
 bool is_numeric(std::string_view text) {

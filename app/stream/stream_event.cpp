@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/in_quotes.h"
+#include "core/text/trimmed.h"
 
 namespace artcal {
 namespace {
@@ -18,12 +19,6 @@ using Value = std::function<Expected<double>(const StreamField&)>;
 using Json = nlohmann::json;
 
 constexpr int max_depth = 8;
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  const auto last = text.find_last_not_of(" \t\r\n");
-  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
-}
 
 Expected<double> number_of(std::string_view text, const StreamField& field) {
   text = trimmed(text);
