@@ -17,7 +17,7 @@ namespace {
 
 using namespace numbers;
 
-std::string date_of(const HistoryEntry& entry) { return entry.date.empty() ? "no date" : shown(entry.date); }
+std::string shown_date(const HistoryEntry& entry) { return entry.date.empty() ? "no date" : shown(entry.date); }
 
 std::string certificates_of(const HistoryEntry& entry) {
   return entry.certificates.empty() ? "none" : fmt::format("{}", fmt::join(entry.certificates, "; "));
@@ -28,11 +28,11 @@ void write_calibration_verdict(const ArmHistory& history, Sheet& sheet) {
     return;
   }
   const CalibrationStep& last = history.calibration_steps.back();
-  const std::string since = date_of(history.calibrations[last.then].entry);
+  const std::string since = shown_date(history.calibrations[last.then].entry);
   if (!last.not_comparable.empty()) {
     sheet.verdict(Mood::Unsure, "Parameters: not comparable",
                   fmt::format("Those of {} and of {} mean different things: {}.", since,
-                              date_of(history.calibrations[last.now].entry), last.not_comparable));
+                              shown_date(history.calibrations[last.now].entry), last.not_comparable));
     return;
   }
   const auto& overall = history.calibrations_overall;
@@ -41,8 +41,8 @@ void write_calibration_verdict(const ArmHistory& history, Sheet& sheet) {
   std::string text = !last.significant() ? fmt::format("No significant change since {}. ", since)
                      : lengths.empty()   ? ""
                                          : fmt::format("The change since then moves {}. ", lengths);
-  text +=
-      slowly ? fmt::format("Changed significantly since {}.", date_of(history.calibrations[overall->then].entry)) : "";
+  text += slowly ? fmt::format("Changed significantly since {}.", shown_date(history.calibrations[overall->then].entry))
+                 : "";
   sheet.verdict(last.significant() || slowly ? Mood::Unsure : Mood::Good,
                 last.significant() ? fmt::format("⚠ Parameters changed since {}", since)
                 : slowly           ? "⚠ Parameters drift"
@@ -56,7 +56,7 @@ const VerificationStep* step_to(const std::vector<VerificationStep>& steps, std:
 }
 
 std::string since_in_words(const ArmHistory& history, const VerificationStep& step) {
-  return fmt::format("Since {}: {}. ", date_of(history.verifications[step.then].entry), change_in_words(step));
+  return fmt::format("Since {}: {}. ", shown_date(history.verifications[step.then].entry), change_in_words(step));
 }
 
 void write_verification_verdict(const ArmHistory& history, std::size_t index, Sheet& sheet) {
@@ -71,7 +71,7 @@ void write_verification_verdict(const ArmHistory& history, std::size_t index, Sh
   sheet.verdict(past.conclusion == Conclusion::NonConformityProven            ? Mood::Bad
                 : past.conclusion == Conclusion::ConformityProven && !changed ? Mood::Good
                                                                               : Mood::Unsure,
-                fmt::format("{} {}, {}: {}", sign, standard_in_words(past.standard), date_of(past.entry),
+                fmt::format("{} {}, {}: {}", sign, standard_in_words(past.standard), shown_date(past.entry),
                             text_of(past.conclusion)),
                 (last != nullptr ? since_in_words(history, *last) : "") +
                     (overall != nullptr ? since_in_words(history, *overall) : ""));
@@ -127,7 +127,7 @@ void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
                                                           {"after"},
                                                           {"artefacts and certificates", false}});
   for (const Calibration& calibration : history.calibrations) {
-    calibrations.add({date_of(calibration.entry), shown(calibration.entry.name),
+    calibrations.add({shown_date(calibration.entry), shown(calibration.entry.name),
                       calibration.rms_before ? mm(*calibration.rms_before) : "not evaluable", mm(calibration.rms_after),
                       certificates_of(calibration.entry)});
   }
@@ -137,7 +137,7 @@ void write_what_was_done(const ArmHistory& history, Sheet& sheet) {
                                               {"conclusion", false, false, false, false, true},
                                               {"artefacts and certificates", false}});
   for (const PastVerification& past : history.verifications) {
-    verifications.add({date_of(past.entry), shown(past.entry.name), standard_in_words(past.standard),
+    verifications.add({shown_date(past.entry), shown(past.entry.name), standard_in_words(past.standard),
                        text_of(past.conclusion), certificates_of(past.entry)});
   }
   sheet.section("What was done");

@@ -19,8 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t max_drawn = 6;  // as many as there are marks to determine them apart
-constexpr double max_u = 2.0;         // of what is drawn of the first of them
+constexpr double max_u = 2.0;  // of what is drawn of the first of them
 
 /// The identifications that are comparable with the last, the oldest first.
 std::vector<const Calibration*> comparable(const ArmHistory& history) {
@@ -53,7 +52,7 @@ Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std
   // A parameter that is told much more poorly would fill the picture with its bars.
   const double shown_size = extent(changes.front());
   std::erase_if(changes, [&](const ParameterChange& change) { return change.u > max_u * shown_size; });
-  changes.resize(std::min(changes.size(), max_drawn));
+  changes.resize(std::min(changes.size(), max_series));
   const TimeLabels times = labels_of(calibrations);
   std::vector<CalibrationStep> steps;  // all in the gauge of the first
   for (const Calibration* calibration : calibrations) {

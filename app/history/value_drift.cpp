@@ -21,7 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t max_drawn = 6;  // as many as there are marks to determine them apart
 constexpr std::size_t max_rows = 60;
 
 /// The verifications by one standard, and what their times are called.
@@ -118,7 +117,7 @@ void write_most_changed(const std::vector<Drift>& drifts, const std::vector<Valu
                         Sheet& sheet) {
   const char* quantity = name_of(drifts.front().quantity);
   Json series = Json::array();
-  for (std::size_t i = 0; i < std::min(max_drawn, drifts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_series, drifts.size()); ++i) {
     const auto value =
         std::find_if(values.begin(), values.end(), [&](const ValueOverTime& one) { return is_of(one, drifts[i]); });
     Line line;

@@ -16,6 +16,7 @@
 
 #include "app/output/capture.h"
 #include "app/output/file_mode.h"
+#include "app/output/write_all.h"
 #include "app/shell/command_line_paths.h"
 #include "app/store/where.h"
 #include "core/files/size_limits.h"
@@ -26,17 +27,6 @@ namespace {
 
 tl::unexpected<Error> cannot_write(const std::string& path) {
   return bad_input(fmt::format("the file cannot be written: {}", std::strerror(errno)), path);
-}
-
-bool write_all(int file, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    done += written > 0 ? static_cast<std::size_t>(written) : 0;
-  }
-  return true;
 }
 
 // A pipe or a device such as /dev/null is written to, never replaced by a file.

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> cannot_write(const std::string& path) {
+tl::unexpected<Error> cannot_write_folder(const std::string& path) {
   return bad_input(fmt::format("the folder cannot be written: {}", std::strerror(errno)), path);
 }
 
@@ -91,12 +91,12 @@ Expected<void> write_folder(const std::string& path, const FolderFiles& files, b
   const std::string target = without_slash(path);
   std::string temporary = target + ".XXXXXX";
   if (::mkdtemp(temporary.data()) == nullptr) {
-    return cannot_write(path);
+    return cannot_write_folder(path);
   }
   std::error_code ignored;
   auto written = fill(temporary, files);
   if (written && (::chmod(temporary.c_str(), file_mode(0777)) != 0 || !put_in_place(temporary, target))) {
-    written = cannot_write(path);
+    written = cannot_write_folder(path);
   }
   fs::remove_all(temporary, ignored);
   return written;

@@ -11,6 +11,9 @@
 
 namespace artcal {
 
+/// Most series of a figure: as many as there are marks to tell them apart.
+inline constexpr std::size_t max_series = 6;
+
 /// A picture, and the same in words for who does not see it. All texts, no markup.
 struct Figure {
   std::string title;

@@ -11,22 +11,13 @@
 
 #include <fmt/format.h>
 
+#include "app/output/write_all.h"
+
 namespace artcal {
 namespace {
 
 tl::unexpected<Error> failed(const std::filesystem::path& path) {
   return bad_input(fmt::format("the table cannot be written: {}", std::strerror(errno)), path.string());
-}
-
-bool write_all(int file, const std::string& text) {
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno != EINTR) {
-      return false;
-    }
-    done += written > 0 ? static_cast<std::size_t>(written) : 0;
-  }
-  return true;
 }
 
 std::string read_all(int file) {

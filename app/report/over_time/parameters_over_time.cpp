@@ -20,8 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using numbers::drawn;
 
-constexpr std::size_t max_drawn = 6;
-
 /// Each result compared with the first, the first with itself.
 struct ComparedResults {
   std::vector<ParameterComparison> with_first;
@@ -58,7 +56,7 @@ std::vector<std::size_t> most_changed(const std::vector<ParameterChange>& change
   }
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t a, std::size_t b) { return severity(a) > severity(b); });
-  places.resize(std::min(places.size(), max_drawn));
+  places.resize(std::min(places.size(), max_series));
   return places;
 }
 

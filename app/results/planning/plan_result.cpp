@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Json coordinates(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json u_json(const PredictedU& u) { return {{"mean_mm", u.mean}, {"worst_mm", u.worst}}; }
 
@@ -35,7 +35,7 @@ Json chosen_json(const PlanResult& result, const ChosenPlacement& chosen) {
   const StandingEnds ends = ends_of(result.possible, chosen.candidate);
   Json rotation = Json::array();
   for (int row = 0; row < 3; ++row) {
-    rotation.push_back(numbers(place.base_from_artefact.rotation.row(row)));
+    rotation.push_back(coordinates(place.base_from_artefact.rotation.row(row)));
   }
   Json readings = Json::array();
   for (const int reading : chosen.readings) {
@@ -51,10 +51,10 @@ Json chosen_json(const PlanResult& result, const ChosenPlacement& chosen) {
   }
   return {{"placement", place.name},
           {"artefact", result.plan.artefacts[static_cast<std::size_t>(place.artefact)].certified.name},
-          {"first_feature_mm", numbers(ends.first_in_base)},
-          {"last_feature_mm", numbers(ends.last_in_base)},
+          {"first_feature_mm", coordinates(ends.first_in_base)},
+          {"last_feature_mm", coordinates(ends.last_in_base)},
           {"rotation", rotation},
-          {"translation_mm", numbers(place.base_from_artefact.translation)},
+          {"translation_mm", coordinates(place.base_from_artefact.translation)},
           {"balls", balls},
           {"readings", readings}};
 }
