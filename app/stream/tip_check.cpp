@@ -13,7 +13,6 @@
 namespace artcal {
 namespace {
 
-constexpr double max_deviation = 0.01;  // of the reach
 constexpr double far_better = 10.0;
 
 /// What could have been done to the angles, and how it is put right.

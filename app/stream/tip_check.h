@@ -8,6 +8,9 @@
 
 namespace artcal {
 
+/// Of the reach: no arm is that far from its file.
+inline constexpr double max_deviation = 0.01;
+
 /// What to say where the coordinates that the arm's own software reports are not those of its joint angles by `arm`: by
 /// more than a hundredth of the reach, rms, after the rigid motion that brings them together best (the software may
 /// have a frame of its own). Another unit, joints in another order or signs are named where one of them brings both

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "app/stream/tip_check.h"
 #include "core/text/in_quotes.h"
 #include "fitting/fit.h"
 
 namespace artcal {
 namespace {
 
-constexpr double max_deviation = 0.01;       // of the reach: no arm is that far from its file
 constexpr Eigen::Index touches_of_ball = 4;  // before a deviation from it is told
 constexpr Eigen::Index touches_of_plane = 3;
 constexpr Eigen::Index touches_of_length = 5;  // of each end, when certified distances are compared

@@ -36,7 +36,7 @@ std::string noise_in_words(const Json& noise) {
   return text.empty() ? "estimated from the residuals" : text;
 }
 
-void write_parameters(const Json& quantities, Sheet& sheet) {
+void write_sampled_parameters(const Json& quantities, Sheet& sheet) {
   html::Table table("Parameters of the arm; u is the standard uncertainty (k = 1)",
                     {{"parameter", false, true},
                      {"unit", false},
@@ -176,7 +176,7 @@ void write_monte_carlo(const Json& result, Sheet& sheet) {
     sheet.note("⚠ " + as_sentence(warning.get<std::string>()));
   }
   const Json& quantities = result.at("quantities");
-  write_parameters(quantities, sheet);
+  write_sampled_parameters(quantities, sheet);
   write_measurands(quantities, sheet);
   write_differences(quantities, sheet);
   sheet.paragraph(
