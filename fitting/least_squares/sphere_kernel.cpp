@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 // The loader picks the version for the machine. No fused multiply-add anywhere (the build turns it off),
@@ -29,25 +30,27 @@ ARTCAL_INLINE void offset(const SphereView& v, std::size_t i, double& x, double&
   z = (p[2] - v.origin[2]) - v.centre[2];
 }
 
-// Eight doubles, wherever they are stored; compilers know such vectors on every machine and split them up
-// where its registers are shorter.
-using Eight = double __attribute__((vector_size(lanes * sizeof(double)), aligned(sizeof(double)), may_alias));
+// Eight doubles, copied from and to wherever they are stored; compilers know such vectors on every machine and split
+// them up where its registers are shorter.
+using Eight = double __attribute__((vector_size(lanes * sizeof(double))));
 
 // The same for eight points, which are stored as three vectors of mixed coordinates. Left to themselves
 // compilers take these apart one number at a time, and that is then what the pass waits for.
 ARTCAL_INLINE void offsets(const SphereView& v, std::size_t i, double (&x)[lanes], double (&y)[lanes],
                            double (&z)[lanes]) {
-  const auto* stored = reinterpret_cast<const Eight*>(v.xyz + 3 * i);
-  const Eight a = stored[0], b = stored[1], c = stored[2];
+  Eight a, b, c;
+  std::memcpy(&a, v.xyz + 3 * i, sizeof a);
+  std::memcpy(&b, v.xyz + 3 * i + lanes, sizeof b);
+  std::memcpy(&c, v.xyz + 3 * i + 2 * lanes, sizeof c);
   const Eight xs = __builtin_shufflevector(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
   const Eight ys = __builtin_shufflevector(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
   const Eight zs = __builtin_shufflevector(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
-  auto& to_x = *reinterpret_cast<Eight*>(x);
-  auto& to_y = *reinterpret_cast<Eight*>(y);
-  auto& to_z = *reinterpret_cast<Eight*>(z);
-  to_x = (__builtin_shufflevector(xs, c, 0, 1, 2, 3, 4, 5, 10, 13) - v.origin[0]) - v.centre[0];
-  to_y = (__builtin_shufflevector(ys, c, 0, 1, 2, 3, 4, 8, 11, 14) - v.origin[1]) - v.centre[1];
-  to_z = (__builtin_shufflevector(zs, c, 0, 1, 2, 3, 4, 9, 12, 15) - v.origin[2]) - v.centre[2];
+  const Eight dx = (__builtin_shufflevector(xs, c, 0, 1, 2, 3, 4, 5, 10, 13) - v.origin[0]) - v.centre[0];
+  const Eight dy = (__builtin_shufflevector(ys, c, 0, 1, 2, 3, 4, 8, 11, 14) - v.origin[1]) - v.centre[1];
+  const Eight dz = (__builtin_shufflevector(zs, c, 0, 1, 2, 3, 4, 9, 12, 15) - v.origin[2]) - v.centre[2];
+  std::memcpy(x, &dx, sizeof dx);
+  std::memcpy(y, &dy, sizeof dy);
+  std::memcpy(z, &dz, sizeof dz);
 }
 
 // `Count` sums in eight lanes each. Whole groups of eight have a constant trip count, which compilers turn

@@ -6,11 +6,20 @@
 
 /// Counts calls of malloc, those of operator new and of Eigen included, in the one test program whose
 /// one source file includes this. Sanitizers bring their own malloc; there `counts_allocations` is false.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ARTCAL_HAS_OWN_MALLOC
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#define ARTCAL_HAS_OWN_MALLOC
+#endif
+
 namespace artcal::testing {
 
 inline std::atomic<long> allocation_count{0};
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#ifdef ARTCAL_HAS_OWN_MALLOC
 inline constexpr bool counts_allocations = false;
 #else
 inline constexpr bool counts_allocations = true;
@@ -18,7 +27,7 @@ inline constexpr bool counts_allocations = true;
 
 }  // namespace artcal::testing
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && defined(__GLIBC__)
+#ifndef ARTCAL_HAS_OWN_MALLOC
 extern "C" void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own name
 extern "C" void* malloc(std::size_t size) {
   artcal::testing::allocation_count.fetch_add(1, std::memory_order_relaxed);
