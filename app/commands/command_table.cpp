@@ -18,6 +18,7 @@ const std::vector<Command>& command_table() {
       Command{"simulate", "a recording made by a virtual arm, with its true values", set_up_simulate},
       Command{"report", "report of results (HTML, prints on A4)", set_up_report},
       Command{"convert", "tables of a result as CSV", set_up_convert},
+      Command{"import", "readings from files of other programs: text tables, PC-DMIS reports", set_up_import},
       Command{"arm", "arms from and to other programs' files; rounding; a maker's own model", set_up_arm},
       Command{"batch", "identify and verify many recordings, results into a store", set_up_batch},
       Command{"history", "changes of an arm over time; results that rest on a certificate", set_up_history},
