@@ -38,7 +38,9 @@ class RemainingDirections {
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(row);
     const Eigen::MatrixXd turned = basis_ * qr.householderQ();
     basis_ = turned.rightCols(turned.cols() - 1).eval();
-    basis_.row(parameter).setZero();
+    if (!none()) {
+      basis_.row(parameter).setZero();
+    }
     fixed_.push_back(parameter);
   }
 
