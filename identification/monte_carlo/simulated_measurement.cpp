@@ -11,6 +11,7 @@
 #include "artefacts/simulation/pattern.h"
 #include "artefacts/virtual_probing/postures.h"
 #include "fitting/fit.h"
+#include "identification/monte_carlo/normal_vector.h"
 #include "identification/monte_carlo/turned_joints.h"
 #include "identification/uncertainty/working_volume.h"
 
@@ -200,8 +201,7 @@ void Measuring::measure(const Arm& arm, RandomStream& random, double* values) co
     if (encoder_ > 0.0) {
       turn_joints(noisy.angles, noisy.sines, encoder_, random);
     }
-    return Eigen::Vector3d(tip_of(noisy) +
-                           probing_ * Eigen::Vector3d(random.normal(), random.normal(), random.normal()));
+    return Eigen::Vector3d(tip_of(noisy) + probing_ * normal_vector(random));
   };
   for (std::size_t i = 0; i < plan_.points.size(); ++i, values += 3) {
     Eigen::Vector3d::Map(values) = exact();

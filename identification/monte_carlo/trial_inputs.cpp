@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "identification/monte_carlo/normal_vector.h"
 #include "identification/monte_carlo/turned_joints.h"
 #include "identification/problem/certified_distances.h"
 
@@ -66,7 +67,7 @@ void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
         feature.distances[k] = read.distances[k] + u * random.normal();
       }
       for (std::size_t k = 0; feature.distances.empty() && k < feature.known.size(); ++k) {
-        feature.known[k] = read.known[k] + u * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+        feature.known[k] = read.known[k] + u * normal_vector(random);
       }
     }
   }
