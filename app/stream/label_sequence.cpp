@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "acquisition/csv/csv.h"
 #include "acquisition/csv/csv_text.h"
@@ -26,6 +27,30 @@ std::string name_after(const std::string& placement) {
   long number = 0;
   const auto [end, error] = std::from_chars(placement.data() + digits, placement.data() + placement.size(), number);
   return error == std::errc() ? fmt::format("{}{}", placement.substr(0, digits), number + 1) : placement + " 2";
+}
+
+// What a label of the plan names that no artefact has, and what it could have named.
+tl::unexpected<Error> unknown_label(const std::vector<std::pair<std::string, std::string>>& features,
+                                    const ReadingLabel& label, const CsvReader& plan) {
+  std::vector<std::string> artefacts, own;
+  for (const auto& [artefact, feature] : features) {
+    if (artefacts.empty() || artefacts.back() != artefact) {
+      artefacts.push_back(artefact);
+    }
+    if (artefact == label[artefact_column]) {
+      own.push_back(feature);
+    }
+  }
+  const auto listed = [](const std::vector<std::string>& names) {
+    return truncated(200, fmt::format("{}", fmt::join(names, ", ")));
+  };
+  return own.empty()
+             ? bad_input(fmt::format("the plan names the artefact {}, expected one of --artefact: {}",
+                                     in_quotes(label[artefact_column]), listed(artefacts)),
+                         plan.where(plan.column("artefact").value_or(0)))
+             : bad_input(fmt::format("the plan names the feature {}, expected one of the artefact {}: {}",
+                                     in_quotes(label[feature_column]), in_quotes(label[artefact_column]), listed(own)),
+                         plan.where(plan.column("feature").value_or(0)));
 }
 
 }  // namespace
@@ -85,11 +110,7 @@ Expected<void> LabelSequence::follow(const std::filesystem::path& plan) {
       label[feature_column] = features_.front().second;
     }
     if (!is_known(label[artefact_column], label[feature_column])) {
-      return bad_input(
-          fmt::format("the plan names the feature {} of the artefact {}, which none of the artefacts given "
-                      "by --artefact has",
-                      in_quotes(label[feature_column]), in_quotes(label[artefact_column])),
-          csv->where(csv->column("feature").value_or(0)));
+      return unknown_label(features_, label, *csv);
     }
     plan_.push_back(std::move(label));
   }

@@ -316,7 +316,11 @@ TEST_F(Record, RefusesWhatCannotBecomeARecording) {
   auto labels = command("events.jsonl");
   labels.back() = "plan.csv";
   write("plan.csv", "placement,feature\n1,9\n");
-  EXPECT_THAT(run(labels).err, HasSubstr("the plan names the feature \"9\""));
+  EXPECT_THAT(run(labels).err,
+              HasSubstr("plan.csv:2:3: the plan names the feature \"9\", expected one of the artefact"));
+  write("plan.csv", "artefact,placement,feature\nbar,1,1\n");
+  EXPECT_THAT(run(labels).err,
+              HasSubstr("plan.csv:2:1: the plan names the artefact \"bar\", expected one of --artefact"));
 }
 
 }  // namespace
