@@ -90,15 +90,6 @@ std::pair<std::string, double> drift_unit(const ParameterChange& change) {
   return {as.name, as.size};
 }
 
-html::Table parameter_table(const std::vector<ParameterChange>& changes, const std::string& caption) {
-  html::Table table = change_table(caption);
-  for (const ParameterChange& change : changes) {
-    add(table,
-        {change.name, change.unit, change.then, change.now, change.u, change.significant ? "⚠ significant" : ""});
-  }
-  return table;
-}
-
 }  // namespace
 
 void write_parameter_drift(const ArmHistory& history, Sheet& sheet) {
@@ -131,8 +122,9 @@ void write_parameter_drift(const ArmHistory& history, Sheet& sheet) {
     sheet.figure(parameter_figure(calibrations, changes, unit, drift_unit(changes.front()).second));
   }
   const TimeLabels times = labels_of(calibrations);
-  sheet.table(parameter_table(overall.changes, fmt::format("From {} to {}; u is the standard uncertainty of the change",
-                                                           times.labels.front(), times.labels.back())));
+  sheet.table(change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
+                                       times.labels.front(), times.labels.back()),
+                           overall.changes));
   sheet.paragraph(fmt::format("All changes together: χ² = {:.4g}; chance stays below {:.4g} in 95 of 100 cases.{}",
                               overall.chi_squared, overall.limit,
                               overall.in_common.empty()

@@ -4,14 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cross_matrix.h"
+
 namespace artcal {
 namespace {
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
 
 // exp(w + δ) = exp(w)·exp(Jr(w)·δ) to first order (Chirikjian 2012, vol. 2, Eq. 10.86).
 Eigen::Matrix3d right_jacobian(const Eigen::Vector3d& w) {

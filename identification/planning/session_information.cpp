@@ -10,6 +10,7 @@
 
 #include "acquisition/arm/forward_kinematics.h"
 #include "artefacts/virtual_probing/postures.h"
+#include "core/cross_matrix.h"
 #include "core/random.h"
 #include "fitting/fit.h"
 #include "identification/identifiability/svd.h"
@@ -42,12 +43,6 @@ TipRows tip_rows(const Arm& arm, const std::vector<Parameter>& parameters, const
   (void)kinematics.tip_by_joints({sines, joints}, rows.by_joints.data());
   rows.by_parameters = rows.by_parameters * scale.asDiagonal();
   return rows;
-}
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
 }
 
 // Two directions across a normal, as columns.

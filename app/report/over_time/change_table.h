@@ -1,25 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/report/html.h"
+#include "app/results/drift/parameter_comparison.h"
 
 namespace artcal {
 
-/// A parameter before and after, in mm, rad or what multiplies one, and the standard uncertainty of the change.
-struct ChangeRow {
-  std::string name;
-  std::string unit;  ///< of the numbers, as a result says it
-  double then = 0.0;
-  double now = 0.0;
-  double u = 0.0;
-  std::string remark;  ///< what is notable of it; or empty
-};
-
-/// A table of changes without rows yet.
-html::Table change_table(const std::string& caption);
-
-/// In the unit that a person reads the parameter in.
-void add(html::Table& table, const ChangeRow& change);
+/// A table of changes, each in the unit that a person reads the parameter in; those that are significant are marked.
+html::Table change_table(const std::string& caption, const std::vector<ParameterChange>& changes);
 
 }  // namespace artcal

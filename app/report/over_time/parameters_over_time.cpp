@@ -92,17 +92,6 @@ bool share_a_recording(const DatedResults& results) {
   return recordings.size() < results.size();
 }
 
-html::Table table_of(const std::vector<ParameterChange>& changes, const ResultTimes& times) {
-  html::Table table =
-      change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
-                               times.labels.front().get<std::string>(), times.labels.back().get<std::string>()));
-  for (const ParameterChange& change : changes) {
-    add(table,
-        {change.name, change.unit, change.then, change.now, change.u, change.significant ? "⚠ significant" : ""});
-  }
-  return table;
-}
-
 }  // namespace
 
 void write_parameters_over_time(const DatedResults& identifications, Sheet& sheet) {
@@ -128,7 +117,9 @@ void write_parameters_over_time(const DatedResults& identifications, Sheet& shee
   const ResultTimes times = times_of(identifications);
   const auto& changes = all.with_first.back().changes;
   sheet.figure(drift_figure(all.with_first, times, identifications.front()->at("coupling").at("angle_scale_mm")));
-  sheet.table(table_of(changes, times));
+  sheet.table(change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
+                                       times.labels.front().get<std::string>(), times.labels.back().get<std::string>()),
+                           changes));
   double widest = 0.0;
   for (const ParameterChange& change : changes) {
     widest = std::max(widest, change.limit);
