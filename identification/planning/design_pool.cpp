@@ -15,8 +15,6 @@
 namespace artcal {
 namespace {
 
-constexpr double known_beforehand = 10.0;  // in the solver's units; see DesignPool::known
-
 /// Where the unknowns of each group stand among those of its placement.
 struct Places {
   std::vector<int> of_group;  ///< first column

@@ -10,6 +10,9 @@
 
 namespace artcal {
 
+/// Of what nothing else is known, in the solver's (physical) units, so that no choice of readings is singular.
+inline constexpr double known_beforehand = 10.0;
+
 /// A reading that could be taken: its weighted rows (one or three) by [unknowns of its placement | common columns].
 struct PossibleReading {
   int reading = 0;  ///< into Recording::readings

@@ -15,12 +15,12 @@
 #include "fitting/fit.h"
 #include "identification/identifiability/svd.h"
 #include "identification/least_squares/triangular_factor.h"
+#include "identification/planning/design_pool.h"
 
 namespace artcal {
 namespace {
 
-constexpr double known_beforehand = 10.0;  // in physical units, as in design_pool.h
-constexpr double rounding = 1e-4;          // mm: no row weighs more than a value that is certain to this
+constexpr double rounding = 1e-4;  // mm: no row weighs more than a value that is certain to this
 constexpr int test_lengths = 200;
 constexpr std::size_t touches_of_ball = 4;
 constexpr std::size_t touches_of_plane = 3;
