@@ -9,6 +9,7 @@
 #include <ceres/ceres.h>
 
 #include "artefacts/virtual_probing/virtual_probing.h"
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "identification/identifiability/coupling.h"
 #include "identification/identify.h"
@@ -41,7 +42,7 @@ Task make_task(int poses) {
   probing.readings = poses;
   VirtualRecording made = probe_virtually(truth, probing);
   for (auto& reading : made.recording.readings) {
-    reading.reference += noise_mm * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    reading.reference += noise_mm * normal_vector(random);
   }
   made.recording.arm = test::gao_arm();
   Task task{std::move(made.recording), {}, {}};

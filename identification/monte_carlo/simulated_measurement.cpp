@@ -10,8 +10,8 @@
 #include "acquisition/arm/forward_kinematics.h"
 #include "artefacts/simulation/pattern.h"
 #include "artefacts/virtual_probing/postures.h"
+#include "core/normal_vector.h"
 #include "fitting/fit.h"
-#include "identification/monte_carlo/normal_vector.h"
 #include "identification/monte_carlo/turned_joints.h"
 #include "identification/uncertainty/working_volume.h"
 

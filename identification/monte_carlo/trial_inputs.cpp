@@ -5,9 +5,9 @@
 #include <map>
 #include <tuple>
 
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "core/statistics.h"
-#include "identification/monte_carlo/normal_vector.h"
 #include "identification/monte_carlo/turned_joints.h"
 #include "identification/problem/certified_distances.h"
 

@@ -21,7 +21,7 @@ namespace artcal {
 namespace {
 
 constexpr double rounding = 1e-4;  // mm: no row weighs more than a value that is certain to this
-constexpr int test_lengths = 200;
+constexpr int length_count = 200;
 constexpr std::size_t touches_of_ball = 4;
 constexpr std::size_t touches_of_plane = 3;
 
@@ -79,9 +79,9 @@ SessionInformation::SessionInformation(const Arm& nominal, std::vector<Artefact>
     }
   }
   RandomStream random(seed, "lengths of a session");
-  lengths_ = Eigen::MatrixXd::Zero(common(), test_lengths);
-  length_noise_.resize(test_lengths);
-  for (int i = 0; i < test_lengths; ++i) {
+  lengths_ = Eigen::MatrixXd::Zero(common(), length_count);
+  length_noise_.resize(length_count);
+  for (int i = 0; i < length_count; ++i) {
     const TipRows first = tip_rows(arm_, parameters_, scale_, 0, random_posture(arm_, random));
     const TipRows second = tip_rows(arm_, parameters_, scale_, 0, random_posture(arm_, random));
     const Eigen::Vector3d along = (second.at - first.at).normalized();

@@ -186,6 +186,14 @@ TEST_F(ResultSchema, OfCouplings) {
         "coupling_result");
 }
 
+TEST_F(ResultSchema, OfEvaluations) {
+  take("ball-bar");
+  check({"evaluate", "ball-bar/recording.toml", "--json", "-"}, "evaluation_result");
+  for (const char* list : {"inputs", "artefacts", "readings", "evaluation.lengths"}) {
+    EXPECT_TRUE(seen_.contains(std::string("evaluation_result.") + list)) << list << " was always empty";
+  }
+}
+
 TEST_F(ResultSchema, OfFits) {
   take("points");
   check({"fit", "points/ball.xyz", "--shape", "sphere", "--unit", "mm", "--diameter", "25.4 mm", "--tip-diameter",

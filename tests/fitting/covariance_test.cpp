@@ -1,6 +1,7 @@
 // The covariance that a fit states, against the scatter of a thousand fits.
 #include <gtest/gtest.h>
 
+#include "core/normal_vector.h"
 #include "tests/fitting/shapes.h"
 
 namespace artcal::test {
@@ -43,7 +44,7 @@ void expect_stated_scatter(const FitOptions& base = {}, const Eigen::VectorXd& s
     Eigen::Matrix3Xd points = exact;
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
       const double sigma = sigmas.size() == 0 ? noise : noise * sigmas(i);
-      points.col(i) += sigma * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+      points.col(i) += sigma * normal_vector(random);
     }
     FitOptions options = base;
     if constexpr (n >= 6) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/normal_vector.h"
 #include "tests/fitting/shapes.h"
 
 namespace artcal::test {
@@ -10,7 +11,7 @@ using Covariance7 = Eigen::Matrix<double, 7, 7>;
 Eigen::Matrix3Xd with_noise(Eigen::Matrix3Xd points, double noise) {
   RandomStream random(2, "noise");
   for (auto&& p : points.colwise()) {
-    p += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    p += noise * normal_vector(random);
   }
   return points;
 }
@@ -161,7 +162,7 @@ TEST(CircleFit, TheCovarianceWithAKnownNormal) {
   for (int draw = 0; draw < draws; ++draw) {
     Eigen::Matrix3Xd points = touched_obliquely(0.0);
     for (auto&& p : points.colwise()) {
-      p += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+      p += noise * normal_vector(random);
     }
     const auto fitted = fit<Circle>(points, options);
     ASSERT_TRUE(fitted);

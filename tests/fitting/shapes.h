@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "core/rigid.h"
 #include "fitting/fit.h"
@@ -25,7 +26,7 @@ Eigen::Matrix3Xd cloud_of(int count, double noise, std::uint64_t index, const Ma
   Eigen::Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d p = make(random);
-    points.col(i) = p + noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    points.col(i) = p + noise * normal_vector(random);
   }
   return points;
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/normal_vector.h"
 #include "tests/support/recordings.h"
 #include "tests/support/simulated_session.h"
 
@@ -436,8 +437,7 @@ test::Bound plate_with_errors(std::uint64_t seed, const Arm& nominal, const Arm&
     places.emplace_back(150.0 * (i % 3), 150.0 * (i / 3), 0.0);
     plate.features.back().radius = 12.7;
     plate.features.back().u_at = u_at;
-    plate.features.back().at =
-        places.back() + u_at * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    plate.features.back().at = places.back() + u_at * normal_vector(random);
   }
   for (int p = 0; p < 5; ++p) {
     const Rigid pose = session.pose();

@@ -10,6 +10,7 @@
 
 #include "acquisition/arm/forward_kinematics.h"
 #include "artefacts/virtual_probing/virtual_probing.h"
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "identification/identifiability/selection.h"
 #include "tests/support/recordings.h"
@@ -256,7 +257,7 @@ TEST(Identify, TwoProbesOfDifferentLengthSeparateThePairs) {
 void add_noise(test::Bound& bound, double sigma, std::uint64_t seed) {
   RandomStream random(seed, "noise");
   for (auto& reading : bound.recording.readings) {
-    reading.reference += sigma * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    reading.reference += sigma * normal_vector(random);
   }
   bound.constraints = *build_constraints(bound.recording, bound.constraints.artefacts);
 }

@@ -1,5 +1,6 @@
 // Monte Carlo of arms that are more than a chain: each group's parameters against first order, against whole
 // identifications of readings drawn by the independent equations, and to the bit.
+#include "core/normal_vector.h"
 #include "identification/monte_carlo/monte_carlo.h"
 
 #include <cmath>
@@ -103,8 +104,7 @@ class Rereading {
       const double temperature_offset =
           std::isnan(reading.arm_temperature) ? 0.0 : reading.arm_temperature - reference_;
       auto q = recording.joints.col(static_cast<Eigen::Index>(i));
-      q += shifted(q, reading.probe, temperature_offset,
-                   noise.probing * Eigen::Vector3d(random.normal(), random.normal(), random.normal()));
+      q += shifted(q, reading.probe, temperature_offset, noise.probing * normal_vector(random));
       for (double& angle : q) angle += noise.encoder * random.normal();
     }
     std::vector<Artefact> artefacts = exact_.constraints.artefacts;

@@ -1,5 +1,6 @@
 // Artefacts whose points lie on a line, or nearly on one. Truth: planted arms, poses and turns, read through an
 // independent forward kinematics; and that no least-squares fit can be worse than what was planted.
+#include "core/normal_vector.h"
 #include "identification/initial/pose_start.h"
 
 #include <cmath>
@@ -63,7 +64,7 @@ Session read_bar(const Arm& truth, const std::vector<Eigen::Vector3d>& points, i
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d target = place + rotation * (points[i] - points[points.size() / 2]);
       for (int r = 0; r < repeats; ++r) {
-        const Eigen::Vector3d off(noise * random.normal(), noise * random.normal(), noise * random.normal());
+        const Eigen::Vector3d off = noise * normal_vector(random);
         const auto q = inverse_kinematics(truth, 0, target + off, random, 50);
         if (!q) continue;
         const auto tip = testing::tip_in_base(numbers, std::vector<double>(q->begin(), q->end()), 0);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "artefacts/virtual_probing/virtual_probing.h"
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "identification/identify.h"
 #include "tests/support/recordings.h"
@@ -159,7 +160,7 @@ test::Bound coordinates(int wrong) {
   RandomStream random(9, "noise");
   for (std::size_t i = 0; i < made.recording.readings.size(); ++i) {
     Eigen::Vector3d& reference = made.recording.readings[i].reference;
-    reference += 0.01 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    reference += 0.01 * normal_vector(random);
     reference.x() += static_cast<int>(i) < wrong ? 2.0 : 0.0;
   }
   return test::bind(std::move(made.recording), std::move(made.artefacts));

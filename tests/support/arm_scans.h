@@ -10,6 +10,7 @@
 
 #include "acquisition/arm/arm.h"
 #include "artefacts/virtual_probing/postures.h"
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "tests/support/arms.h"
 
@@ -73,7 +74,8 @@ class ArmScanSimulation {
 
   bool scan_somewhere() {
     scan_ = {};
-    const V start = random_.uniform(500.0, 1000.0) * random_.direction();
+    const V direction = random_.direction();
+    const V start = random_.uniform(500.0, 1000.0) * direction;
     const V along = random_.direction();
     const V stem = along.unitOrthogonal();
     Eigen::VectorXd posture(static_cast<Eigen::Index>(arm_.joints.size()));
@@ -108,13 +110,14 @@ class ArmScanSimulation {
                   -1, q);
     }
     for (int i = 0; i < s_.stray_points; ++i) {
-      (void)touch(centre + random_.uniform(1.2, 4.0) * radius * random_.direction(), -1, q);
+      const V direction = random_.direction();
+      (void)touch(centre + random_.uniform(1.2, 4.0) * radius * direction, -1, q);
     }
     return true;
   }
 
   bool touch(const V& tip, int label, Eigen::VectorXd& q) {
-    const V noise(random_.normal(), random_.normal(), random_.normal());
+    const V noise = normal_vector(random_);
     const auto reached = reach_with_joints(arm_, 0, tip + s_.noise * noise, q);
     if (reached) {
       q = *reached;

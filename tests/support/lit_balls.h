@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/normal_vector.h"
 #include "core/random.h"
 
 namespace artcal::testing {
@@ -33,9 +34,7 @@ struct LitScan {
 inline LitScan scan_of(const LitBalls& settings) {
   RandomStream random(settings.seed, "lit balls");
   std::vector<std::pair<Eigen::Vector3d, int>> all;
-  const auto noise = [&] {
-    return settings.noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
-  };
+  const auto noise = [&] { return settings.noise * normal_vector(random); };
   const double r = settings.radius;
   const double widest = std::sqrt(1.0 - settings.lowest * settings.lowest);
   for (std::size_t b = 0; b < settings.centres.size(); ++b) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/normal_vector.h"
 #include "core/random.h"
 
 namespace artcal::testing {
@@ -153,7 +154,7 @@ class ScanSimulation {
   void raster(const V& middle, const Eigen::Vector2d& half, const V& v, double spacing) {
     for (double x = -half.x(); x < half.x(); x += spacing) {
       for (double y = -half.y(); y < half.y(); y += spacing) {
-        const V through = middle + V(x + random_.uniform(0.0, spacing), y + random_.uniform(0.0, spacing), 0.0);
+        const V through = middle + V{x + random_.uniform(0.0, spacing), y + random_.uniform(0.0, spacing), 0.0};
         const V origin = through - 1000.0 * v;
         const Hit hit = cast(origin, v);
         samples_.push_back({origin, v, hit, false});
@@ -222,8 +223,7 @@ class ScanSimulation {
     std::vector<V> points;
     for (const Sample& s : samples_) {
       if (!s.lost && std::isfinite(s.hit.t)) {
-        points.push_back(turn * point(s) + s_.offset +
-                         s_.noise * V(random_.normal(), random_.normal(), random_.normal()));
+        points.push_back(turn * point(s) + s_.offset + s_.noise * normal_vector(random_));
         scan.labels.push_back(s.hit.label);
       }
     }

@@ -11,6 +11,7 @@
 
 #include "acquisition/recording/recording.h"
 #include "artefacts/artefact/artefact.h"
+#include "core/normal_vector.h"
 #include "core/random.h"
 #include "core/rigid.h"
 #include "tests/support/arms.h"
@@ -62,7 +63,8 @@ class Session {
 
   /// A pose in front of the arm, well within reach.
   Rigid pose() {
-    const Eigen::Vector3d place = random_.uniform(0.25, 0.5) * reach(truth_) * random_.direction();
+    const Eigen::Vector3d direction = random_.direction();
+    const Eigen::Vector3d place = random_.uniform(0.25, 0.5) * reach(truth_) * direction;
     return {random_.rotation(), place + Eigen::Vector3d(0.0, 0.0, truth_.joints.front().d)};
   }
 
@@ -71,8 +73,8 @@ class Session {
   void read(const std::string& artefact, const std::string& placement, const std::string& feature, int count,
             Target&& target, int probe = 0) {
     for (int i = 0; i < count; ++i) {
-      const Eigen::Vector3d wanted =
-          target(i) + noise_.probing * Eigen::Vector3d(random_.normal(), random_.normal(), random_.normal());
+      const Eigen::Vector3d noise = noise_.probing * normal_vector(random_);
+      const Eigen::Vector3d wanted = target(i) + noise;
       Eigen::VectorXd q = posture(wanted, probe);
       for (double& angle : q) angle += noise_.encoder * random_.normal();
       Reading reading;

@@ -47,8 +47,10 @@ struct Planted {
       const double turn = random.uniform(0.0, 6.2832);
       add(centre + V(7.2 * std::cos(turn), 7.2 * std::sin(turn), -random.uniform(14.0, 45.0)));
     }
-    for (int i = 0; i < 20; ++i)
-      add(centre + random.uniform(1.6, 5.0) * (ball_radius + tip_radius) * random.direction());
+    for (int i = 0; i < 20; ++i) {
+      const V direction = random.direction();
+      add(centre + random.uniform(1.6, 5.0) * (ball_radius + tip_radius) * direction);
+    }
     return text;
   }
 };

@@ -1,6 +1,7 @@
 // Cylinders and cones: the starts must lead to the deepest valley, whatever the patch.
 #include <gtest/gtest.h>
 
+#include "core/normal_vector.h"
 #include "tests/fitting/shapes.h"
 
 namespace artcal::test {
@@ -22,7 +23,7 @@ Eigen::Matrix3Xd rounded(const Eigen::Matrix3Xd& points) { return (points * 1e5)
 
 Eigen::Matrix3Xd with_noise_of(Eigen::Matrix3Xd points, double noise, RandomStream& random) {
   for (auto&& p : points.colwise()) {
-    p += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    p += noise * normal_vector(random);
   }
   return points;
 }
@@ -112,8 +113,9 @@ TEST(AxialFit, RandomPatchesEndAtLeastAsDeepAsTheTruth) {
     Eigen::Matrix3Xd points(3, count);
     for (auto&& p : points.colwise()) {
       const double height = length * random.uniform(-0.5, 0.5);
+      const Eigen::Vector3d off = noise * normal_vector(random);
       p = around({12.0, -7.0, 30.0}, radius + height * std::tan(half_angle), arc * random.uniform(-0.5, 0.5), height) +
-          noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+          off;
     }
     const auto check = [&](const auto& fitted, const auto& truth) {
       refused += fitted ? 0 : 1;

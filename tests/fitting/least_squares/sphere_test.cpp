@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/normal_vector.h"
 #include "tests/fitting/shapes.h"
 
 namespace artcal::test {
@@ -110,7 +111,7 @@ TEST(SphereFit, APatchTooSmallToTellTheRadiusIsNamed) {
   RandomStream random(1, "patch");
   Eigen::Matrix3Xd points = cap(12.7, 0.02, 3, 8);
   for (auto&& p : points.colwise()) {
-    p += 0.005 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    p += 0.005 * normal_vector(random);
   }
   const auto fitted = fit<Sphere>(points);
   ASSERT_FALSE(fitted) << fitted->feature.radius;

@@ -73,7 +73,8 @@ void expect_no_better_neighbour(const Eigen::Matrix3Xd& points, Criterion criter
   RandomStream random(5, "neighbours");
   for (int i = 0; i < 500; ++i) {
     F other = fitted->feature;
-    Eigen::Vector3d shift = std::pow(10.0, random.uniform(-9.0, -2.0)) * random.direction();
+    const Eigen::Vector3d direction = random.direction();
+    Eigen::Vector3d shift = std::pow(10.0, random.uniform(-9.0, -2.0)) * direction;
     if constexpr (std::is_same_v<F, Circle>) {
       shift -= other.normal * other.normal.dot(shift);
     }
@@ -145,8 +146,9 @@ TEST(MinimumZone, PlaneIsNeverWiderThanLeastSquaresAndNoTiltHelps) {
     EXPECT_LE(zone->form, squares->form + 1e-13);
     RandomStream random(i, "tilts");
     for (int k = 0; k < 200; ++k) {
+      const Eigen::Vector3d direction = random.direction();
       const Eigen::Vector3d normal =
-          (zone->feature.normal + std::pow(10.0, random.uniform(-8.0, -2.0)) * random.direction()).normalized();
+          (zone->feature.normal + std::pow(10.0, random.uniform(-8.0, -2.0)) * direction).normalized();
       const Eigen::RowVectorXd heights = normal.transpose() * (points.colwise() - zone->feature.point);
       EXPECT_GE(heights.maxCoeff() - heights.minCoeff(), zone->form - 1e-13);
     }

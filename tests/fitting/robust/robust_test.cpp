@@ -25,7 +25,8 @@ TYPED_TEST(RobustFit, FindsExactlyThePointsThatWereMoved) {
     // Moved until it is off the feature itself, not along it.
     const Eigen::Vector3d place = points.col(i);
     while (std::abs(signed_distance(Shape<TypeParam>::truth(), points.col(i))) < 0.2) {
-      points.col(i) = place + random.uniform(0.3, 6.0) * random.direction();
+      const Eigen::Vector3d direction = random.direction();
+      points.col(i) = place + random.uniform(0.3, 6.0) * direction;
     }
     moved_points.push_back(i);
   }

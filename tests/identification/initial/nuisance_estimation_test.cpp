@@ -16,7 +16,7 @@ Eigen::Matrix3Xd touches(const Eigen::Vector3d& centre, double distance, int cou
   std::normal_distribution<double> normal;
   Eigen::Matrix3Xd points(3, count);
   for (int k = 0; k < count; ++k) {
-    points.col(k) = centre + distance * Eigen::Vector3d(normal(engine), normal(engine), normal(engine)).normalized();
+    points.col(k) = centre + distance * Eigen::Vector3d{normal(engine), normal(engine), normal(engine)}.normalized();
   }
   return points;
 }

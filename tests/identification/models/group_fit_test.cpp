@@ -1,6 +1,7 @@
 // What becomes of a group of model errors of which readings determine some members only: these are fixed and said, and
 // the others come back as they were planted.
 #include "identification/models/group_fit.h"
+#include "core/normal_vector.h"
 
 #include <cmath>
 
@@ -34,7 +35,7 @@ test::Bound still_joint(const Arm& nominal, const Arm& truth, double noise) {
     const auto q = made.recording.joints.col(static_cast<Eigen::Index>(i));
     made.recording.readings[i].reference =
         testing::tip_with_errors(numbers, std::vector<double>(q.begin(), q.end()), 0, 0.0) +
-        noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+        noise * normal_vector(random);
   }
   return test::bind(std::move(made.recording), std::move(made.artefacts));
 }

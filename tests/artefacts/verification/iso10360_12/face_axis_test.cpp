@@ -1,5 +1,6 @@
 // Faces that are probed in a single point each, along an axis that other readings tell.
 #include "artefacts/verification/iso10360_12/face_axis.h"
+#include "core/normal_vector.h"
 
 #include <cmath>
 #include <numeric>
@@ -51,7 +52,7 @@ struct Touches {
   RandomStream random{1, "faces"};
 
   void touch(const char* feature, const char* repeat, const V& at, const V& normal) {
-    const V off(random.normal(), random.normal(), random.normal());
+    const V off = normal_vector(random);
     readings.add({"block", "1", feature, "", repeat}, base_from_block * (at + tip * normal) + noise * off);
   }
   // A point on each face, not opposite to each other, the second `longer` away than certified.

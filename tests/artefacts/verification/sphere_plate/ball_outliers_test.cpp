@@ -36,7 +36,7 @@ double false_alarms(int points, double stretch) {
   for (int run = 0; run < count; ++run) {
     Eigen::Matrix3Xd measured = certified;
     for (int i = 0; i < points; ++i) {
-      measured.col(i) += 1e-3 * Eigen::Vector3d(random.normal(), random.normal(), stretch * random.normal());
+      measured.col(i) += 1e-3 * Eigen::Vector3d{random.normal(), random.normal(), stretch * random.normal()};
     }
     const BallOutlierTest found = studentised_residuals(measured, certified);
     alarms += found.distances.maxCoeff() > found.limit ? 1 : 0;

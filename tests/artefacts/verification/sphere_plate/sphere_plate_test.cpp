@@ -31,7 +31,7 @@ Artefact plate_5x5(double irregularity = 0.030) {
     for (int column = 0; column < 5; ++column) {
       CertifiedFeature feature = ball(name_at(row, column), 22.0);
       feature.at = Eigen::Vector3d(100.0 * column, 100.0 * row, 0.0) +
-                   irregularity * Eigen::Vector3d(random.normal(), random.normal(), 0.3 * random.normal());
+                   irregularity * Eigen::Vector3d{random.normal(), random.normal(), 0.3 * random.normal()};
       feature.u_at = 0.3e-3;
       plate.features.push_back(feature);
     }

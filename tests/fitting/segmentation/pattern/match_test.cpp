@@ -33,7 +33,7 @@ std::vector<FoundPoint> seen(const Centres& centres, const std::vector<int>& whi
   const Eigen::Matrix3d turn = random.rotation();
   std::vector<FoundPoint> found;
   for (const int i : which) {
-    const Eigen::Vector3d off(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1));
+    const Eigen::Vector3d off{random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
     found.push_back({turn * centres[static_cast<std::size_t>(i)] + Eigen::Vector3d(1000.0, -50.0, 3.0) + off, 10.0});
   }
   return found;

@@ -27,8 +27,10 @@ Eigen::Matrix3Xd points_of(const Patch& patch, std::uint64_t index = 0) {
   const V v = patch.normal.cross(u);
   Eigen::Matrix3Xd points(3, patch.points);
   for (auto&& p : points.colwise()) {
-    p = patch.middle + random.uniform(-0.5, 0.5) * patch.length * u + random.uniform(-0.5, 0.5) * patch.width * v +
-        patch.noise * random.normal() * patch.normal;
+    const double off = patch.noise * random.normal();
+    const double across = random.uniform(-0.5, 0.5) * patch.width;
+    const double along = random.uniform(-0.5, 0.5) * patch.length;
+    p = patch.middle + along * u + across * v + off * patch.normal;
   }
   return points;
 }
@@ -119,7 +121,8 @@ TEST(FindPlanes, APipeAndABallHaveNone) {
       const double angle = random.uniform(0.0, 3.0);
       pipe.col(i) << (20.0 + noise * random.normal()) * std::cos(angle),
           (20.0 + noise * random.normal()) * std::sin(angle), random.uniform(0.0, 300.0);
-      ball.col(i) = (50.0 + noise * random.normal()) * random.direction();
+      const Eigen::Vector3d direction = random.direction();
+      ball.col(i) = (50.0 + noise * random.normal()) * direction;
     }
     EXPECT_THAT(segment(pipe, planes(1))->planes, SizeIs(0)) << noise;
     EXPECT_THAT(segment(ball, planes(1))->planes, SizeIs(0)) << noise;

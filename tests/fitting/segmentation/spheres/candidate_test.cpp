@@ -1,5 +1,6 @@
 // Balls of which little is lit, however densely it was scanned; and rings, pipes and cones that are no balls.
 #include "fitting/segmentation/spheres/candidate.h"
+#include "core/normal_vector.h"
 
 #include <gmock/gmock.h>
 
@@ -119,7 +120,7 @@ Eigen::Matrix3Xd band(int count, double low, double high, double arc, double noi
     const double angle = random.uniform(0.0, arc);
     const double radius = radius_at(height);
     p = V(100.0, 50.0, 80.0) + turn * V(radius * std::cos(angle), radius * std::sin(angle), height) +
-        noise * V(random.normal(), random.normal(), random.normal());
+        noise * normal_vector(random);
   }
   return points;
 }

@@ -1,4 +1,5 @@
 #include "fitting/segmentation/spheres/find_spheres.h"
+#include "core/normal_vector.h"
 
 #include <functional>
 #include <numeric>
@@ -186,8 +187,10 @@ Eigen::Matrix3Xd surface(int count, double noise, const std::function<Eigen::Vec
   RandomStream random(9, "surface");
   Eigen::Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3d p = at(random.uniform(), random.uniform());
-    points.col(i) = p + noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    const double v = random.uniform();
+    const double u = random.uniform();
+    const Eigen::Vector3d p = at(u, v);
+    points.col(i) = p + noise * normal_vector(random);
   }
   return points;
 }

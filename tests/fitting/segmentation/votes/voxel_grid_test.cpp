@@ -15,7 +15,7 @@ Eigen::Matrix3Xd some_points(int count, double size, const Eigen::Vector3d& offs
   RandomStream random(4, "points");
   Eigen::Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
-    points.col(i) = offset + size * Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform());
+    points.col(i) = offset + size * Eigen::Vector3d{random.uniform(), random.uniform(), random.uniform()};
   }
   return points;
 }
