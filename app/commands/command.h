@@ -39,6 +39,7 @@ struct CommonOptions {
 Run set_up_inspect(CLI::App& parser);
 Run set_up_identify(CLI::App& parser);
 Run set_up_coupling(CLI::App& parser);
+Run set_up_evaluate(CLI::App& parser);
 Run set_up_segment(CLI::App& parser);
 Run set_up_fit(CLI::App& parser);
 Run set_up_uncertainty(CLI::App& parser);

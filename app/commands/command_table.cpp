@@ -8,6 +8,7 @@ const std::vector<Command>& command_table() {
       Command{"record", "take readings from an arm into a recording, each on disk at once", set_up_record},
       Command{"inspect", "look for mistakes in a recording before it is solved", set_up_inspect},
       Command{"identify", "identify an arm's parameters from its readings on artefacts", set_up_identify},
+      Command{"evaluate", "evaluate an arm on readings, such as an identified one on new readings", set_up_evaluate},
       Command{"coupling", "identifiability analysis: which parameters readings determine", set_up_coupling},
       Command{"segment", "find an artefact's spheres and planes in a scan", set_up_segment},
       Command{"uncertainty", "measurement uncertainty of an identified arm: points, lengths, volume",

@@ -1,0 +1,113 @@
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "acquisition/arm/arm_file.h"
+#include "acquisition/recording/reading_fingerprint.h"
+#include "acquisition/recording/recording_file.h"
+#include "acquisition/recording/tip_centres.h"
+#include "app/commands/command.h"
+#include "app/output/output.h"
+#include "app/output/phrases.h"
+#include "app/requests/access_option.h"
+#include "app/requests/referenced_files.h"
+#include "app/results/identification/evaluation_json.h"
+#include "app/results/identification/evaluation_text.h"
+#include "app/results/identification/result_json.h"
+#include "artefacts/constraints/read_constraints.h"
+#include "core/text/in_quotes.h"
+#include "identification/evaluation/evaluation.h"
+
+namespace artcal {
+namespace {
+
+struct Request {
+  CommonOptions common;
+  RecordingOptions access;
+  std::string recording, arm;
+};
+
+// Readings that the arm was identified from say little of others: it was made to agree with them.
+void warn_of_same_readings(Recording& recording, const ArmIdentification& identification) {
+  const int known = count_known(recording, identification.readings);
+  if (known > 0) {
+    recording.warnings.push_back(
+        fmt::format("the arm {} was identified from {} of these {} readings; they deviate less than new ones will",
+                    in_quotes(recording.arm.name), known, recording.readings.size()));
+  }
+}
+
+// The arm of the file in place of the recording's, with the same probes by name.
+Expected<void> use_arm(const std::string& path, Recording& recording) {
+  auto file = read_arm_file(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const auto& identification = file->identification;
+  if (auto fits = tip_centres(recording, file->arm, identification ? &*identification : nullptr); !fits) {
+    return tl::unexpected(fits.error());
+  }
+  for (Reading& reading : recording.readings) {
+    reading.probe = probe_index(file->arm, recording.arm.probes[static_cast<std::size_t>(reading.probe)].name);
+  }
+  recording.inputs.push_back(file->input);
+  recording.arm = std::move(file->arm);
+  recording.arm_identification = std::move(file->identification);
+  return {};
+}
+
+Expected<int> evaluate_and_tell(const Request& request) {
+  auto recording = read_recording(request.recording, request.access.of(request.recording));
+  if (!recording) {
+    return tl::unexpected(recording.error());
+  }
+  if (auto there = require_joints(*recording); !there) {
+    return tl::unexpected(there.error());
+  }
+  if (!request.arm.empty()) {
+    if (auto used = use_arm(request.arm, *recording); !used) {
+      return tl::unexpected(with_warnings(used.error(), recording->warnings));
+    }
+  }
+  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
+  if (!constraints) {
+    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
+  }
+  if (auto checked =
+          check_outputs({request.common.json}, referenced_files(*recording, request.access.of(request.recording)));
+      !checked) {
+    return tl::unexpected(checked.error());
+  }
+  recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
+  if (recording->arm_identification) {
+    warn_of_same_readings(*recording, *recording->arm_identification);
+  }
+  const auto evaluation = evaluate(*recording, *constraints, recording->arm);
+  if (!evaluation) {
+    return tl::unexpected(with_warnings(evaluation.error(), recording->warnings));
+  }
+  return request.common.tell(to_json(*recording, *constraints, *evaluation),
+                             to_text(*recording, *constraints, *evaluation, recording->warnings));
+}
+
+}  // namespace
+
+Run set_up_evaluate(CLI::App& parser) {
+  auto request = std::make_shared<Request>();
+  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  parser.add_option("--arm", request->arm, "the arm to evaluate, such as an identified one; else the recording's")
+      ->type_name("ARM");
+  request->access.add_to(parser);
+  request->common.add_to(parser);
+  parser.footer(
+      "The arm is not changed. Where it was not identified from these readings, new ones are expected to deviate as "
+      "much.\n"
+      "Example:\n  artcal evaluate examples/ball-bar/recording.toml --arm examples/ball-bar/arm.toml");
+  return [request] {
+    const auto done = evaluate_and_tell(*request);
+    return done ? *done : report_error(done.error());
+  };
+}
+
+}  // namespace artcal
