@@ -53,13 +53,19 @@ job_count() {
   echo $((cores > 0 ? cores : 1))
 }
 
-# On a terminal, ninja's count of steps on one line; nothing in a log.
+# Ninja's count of steps: on a terminal on one line, in a log a line every ten seconds.
 show_progress() {
   if [[ -t 2 ]]; then
     awk '/^\[[0-9]+\/[0-9]+\]/ { printf "\r%s\033[K", $1 > "/dev/stderr" } END { printf "\r\033[K" > "/dev/stderr" }'
-  else
-    cat >/dev/null
+    return
   fi
+  local line next=$((SECONDS + 10))
+  while IFS= read -r line; do
+    if ((SECONDS >= next)) && [[ $line =~ ^\[[0-9]+/[0-9]+\] ]]; then
+      say "building, step ${BASH_REMATCH[0]}"
+      next=$((SECONDS + 10))
+    fi
+  done
 }
 
 # The first errors of a compiler, which come with many lines around them; else the end of the log.

@@ -1,4 +1,5 @@
-# `cpack` makes two Debian packages: artcal, the program, and libartcal-dev, what other projects build on.
+# `cpack` makes Debian packages: artcal, the program; libartcal-dev, what other projects build on; and with the preset
+# python also python3-artcal.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME artcal)
 set(CPACK_PACKAGE_VENDOR "artcal")
@@ -30,5 +31,18 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     libeigen3-dev libceres-dev libexpected-dev libfmt-dev libboost-dev libssl-dev libtomlplusplus-dev
     libcgal-dev libpcl-dev libpugixml-dev liblzf-dev libyaml-cpp-dev)
 list(JOIN CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
+
+if(ARTCAL_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "artcal for Python: identification, verification and uncertainty of arms.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-artcal)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # The extension module is for one minor version of Python.
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib")
+endif()
 
 include(CPack)

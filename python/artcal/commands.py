@@ -66,6 +66,38 @@ class _ArmFile:
             self._folder.cleanup()
 
 
+def import_arm(path: PathLike, *, base: str | None = None, tip: str | None = None, own_base: bool = False) -> Arm:
+    """An arm from a URDF or from a Universal Robots kinematics file (calibration.yaml), with the same tips.
+
+    Args:
+        base, tip: links of a URDF; else its root and its only leaf.
+        own_base: lay the base frame on the first axis.
+
+    Raises:
+        UsageError, BadInputError: what cannot be expressed is named by its joint.
+    """
+    with tempfile.TemporaryDirectory(prefix="artcal-") as folder:
+        made = str(Path(folder) / "arm.toml")
+        options = dict(output=made, base=base, tip=tip, own_base=own_base, quiet=True)
+        _native.run(["arm", "import", *_arguments(options), "--", os.fspath(path)])
+        return Arm.from_file(made)
+
+
+def export_urdf(arm: ArmLike, path: PathLike, *, digits: int | None = None, steps: str | None = None) -> None:
+    """Writes an arm as a URDF with the same tips.
+
+    Args:
+        digits: decimals of a mm and of a degree to round to.
+        steps: to round to, such as "length=0.001in,angle=19.8arcsec".
+
+    Raises:
+        UsageError, BadInputError: what a URDF cannot express is named by its joint.
+    """
+    with _ArmFile(arm) as source:
+        options = dict(urdf=True, output=path, digits=digits, steps=steps, quiet=True)
+        _native.run(["arm", "export", *_arguments(options), "--", str(source)])
+
+
 def identify(
     recording: RecordingLike,
     *,
@@ -116,6 +148,79 @@ def identify(
         allow_outside=allow_outside,
     )
     return _run("identify", [_recording(recording, options)], options, progress)
+
+
+def evaluate(recording: RecordingLike, *, arm: ArmLike | None = None, allow_outside: bool = False) -> Result:
+    """Evaluates an arm as it is on readings, such as an identified one on new readings.
+
+    Args:
+        arm: the arm to evaluate; else the recording's.
+
+    Returns: result.evaluation, .readings, .warnings, in mm (docs/result-schema.md, evaluation_result). A warning says
+    where the arm was identified from these readings.
+
+    Raises:
+        UsageError, BadInputError, NoSolutionError.
+    """
+    with _ArmFile(arm) as path:
+        options: dict[str, Any] = dict(arm=path, allow_outside=allow_outside)
+        return _run("evaluate", [_recording(recording, options)], options)
+
+
+def inspect(recording: RecordingLike, *, fit: bool = True, allow_outside: bool = False) -> Result:
+    """Looks for mistakes of measuring in a recording before anything is solved.
+
+    Args:
+        fit: also try what needs a quick fit: orders, signs, units, labels, radii.
+
+    Returns: result.findings, .remarks, ...; .exit_code is 1 where a mistake is found.
+
+    Raises:
+        UsageError, BadInputError, NoSolutionError.
+    """
+    options: dict[str, Any] = dict(no_fit=not fit, allow_outside=allow_outside)
+    return _run("inspect", [_recording(recording, options)], options)
+
+
+def batch(
+    recordings: Sequence[PathLike],
+    store: PathLike,
+    *,
+    resume: bool = False,
+    jobs: int = 0,
+    leave_out: bool = False,
+    report: PathLike | None = None,
+    progress: Progress | None = None,
+) -> Result:
+    """Identifies and verifies many recordings and keeps the results in a store.
+
+    Args:
+        recordings: recordings, or folders of them.
+        store: an SQLite file or a postgresql:// address.
+        resume: pass over what the store has a result of.
+        jobs: recordings at once; 0: one a core. The store is the same with any.
+
+    Returns: counts and failures; .exit_code is 1 where conformity was not shown, 3 or 4 where a recording was refused
+    or had no solution.
+
+    Raises:
+        UsageError, BadInputError, NoSolutionError.
+    """
+    options: dict[str, Any] = dict(store=store, resume=resume, jobs=jobs, leave_out=leave_out, report=report)
+    return _run("batch", [os.fspath(path) for path in recordings], options, progress)
+
+
+def history(arm: str, store: PathLike, *, all_changes: bool = False) -> Result:
+    """What changed between the calibrations of an arm.
+
+    Args:
+        arm: its name, as its file states it.
+        all_changes: not only the significant ones.
+
+    Raises:
+        UsageError, BadInputError, NoSolutionError.
+    """
+    return _run("history", [arm], {"store": store, "all": all_changes})
 
 
 def identifiability(

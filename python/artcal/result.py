@@ -101,7 +101,7 @@ class Result(Table):
         verification = "decision_rule" in data
         found = [
             ("parameters", bool(data.get("parameters"))),
-            ("readings", "residuals" in data),
+            ("readings", "residuals" in data or data.get("kind") == "evaluation"),
             ("verdicts", verification),
             ("lengths", bool(self._lengths())),
             ("values", not verification and bool(data.get("values"))),
@@ -128,13 +128,15 @@ class Result(Table):
         return pandas.DataFrame([_flat(row) for row in rows])
 
     def _lengths(self) -> list[dict[str, Any]]:
-        rows = list((self._data.get("after") or {}).get("lengths", []))
+        rows = list((self._data.get("after") or self._data.get("evaluation") or {}).get("lengths", []))
         values = self._data.get("values")
         if isinstance(values, list):
             rows += [value for value in values if isinstance(value, dict) and value.get("second") is not None]
         return rows
 
     def _readings(self) -> list[dict[str, Any]]:
+        if "residuals" not in self._data:
+            return list(self._data["readings"])
         residuals = self._data["residuals"]
         count = len(residuals["reading"])
         features = self._data["after"]["features"]

@@ -1,6 +1,8 @@
 """The arm: forward kinematics and Jacobians against a chain of matrices written here with numpy."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 import numpy as np
 
@@ -109,6 +111,18 @@ class ArmTest(unittest.TestCase):
         self.assertFalse(arm.is_identified)
         self.assertEqual(arm.joint_count, 6)
         self.assertEqual(arm.probes, ["ball 6 mm"])
+
+    def test_to_and_from_urdf(self):
+        arm = artcal.Arm.from_file(str(EXAMPLES / "two-socket-bar" / "arm.toml"))
+        with tempfile.TemporaryDirectory() as folder:
+            urdf = Path(folder) / "panda.urdf"
+            artcal.export_urdf(arm, urdf)
+            self.assertIn("<robot", urdf.read_text())
+            back = artcal.import_arm(urdf)
+            with self.assertRaises(artcal.BadInputError):
+                artcal.import_arm(urdf, tip="no such link")
+        q = np.random.default_rng(1).uniform(-2.5, 2.5, (50, 7))
+        np.testing.assert_allclose(back.tip(q), arm.tip(q), atol=1e-9)
 
 
 if __name__ == "__main__":

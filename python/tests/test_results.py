@@ -30,6 +30,40 @@ class ResultsTest(unittest.TestCase):
             with self.subTest(path=path):
                 same_numbers(self, artcal.identifiability(path), "coupling", path)
 
+    def test_evaluate(self):
+        for path in WITH_JOINTS:
+            with self.subTest(path=path):
+                same_numbers(self, artcal.evaluate(path), "evaluate", path)
+        path = EXAMPLES / "two-socket-bar" / "recording.toml"
+        with tempfile.TemporaryDirectory() as folder:
+            arm = Path(folder) / "arm.toml"
+            identified = artcal.identify(path, output=arm, leave_out=False)
+            evaluated = artcal.evaluate(path, arm=artcal.Arm.from_file(str(arm)))
+        self.assertAlmostEqual(evaluated.evaluation.overall.rms_mm, identified.after.overall.rms_mm, places=9)
+        self.assertIn("was identified from 387 of these 387 readings", evaluated.warnings[0])
+        self.assertEqual(len(evaluated.to_frame("readings")), 387)
+        self.assertEqual(len(evaluated.to_frame("lengths")), 6)
+
+    def test_inspect(self):
+        for path in RECORDINGS:
+            with self.subTest(path=path):
+                result = artcal.inspect(path)
+                same_numbers(self, result, "inspect", path)
+                self.assertEqual((result.exit_code, result.findings), (0, []))
+
+    def test_batch_and_history(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = Path(folder) / "results.sqlite"
+            result = artcal.batch([EXAMPLES / "ball-bar", EXAMPLES / "two-socket-bar"], store)
+            self.assertEqual((result.kind, result.exit_code), ("batch", 0))
+            name = artcal.Arm.from_file(str(EXAMPLES / "ball-bar" / "arm.toml")).name
+            changes = artcal.history(name, store)
+            self.assertEqual((changes.kind, changes.arm), ("history", name))
+            bad = Path(folder) / "bad.toml"
+            bad.write_text("schema = 1")
+            again = artcal.batch([EXAMPLES / "ball-bar", bad], store, resume=True)
+            self.assertEqual(again.exit_code, 3)
+
     def test_verify(self):
         for path in VERIFIED:
             with self.subTest(path=path):
