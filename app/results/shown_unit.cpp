@@ -1,5 +1,7 @@
 #include "app/results/shown_unit.h"
 
+#include <fmt/format.h>
+
 #include "core/units.h"
 
 namespace artcal {
@@ -20,5 +22,8 @@ ShownUnit shown_unit(std::string_view name, std::string_view unit) {
   const bool harmonic = name.starts_with("cos_") || name.starts_with("sin_");
   return harmonic ? ShownUnit{"arcsec", units::arcsecond, 3} : ShownUnit{"deg", units::degree, 6};
 }
+
+std::string in_micrometres(double mm) { return fmt::format("{:.1f}", mm / units::micrometre); }
+std::string signed_in_micrometres(double mm) { return fmt::format("{:+.1f}", mm / units::micrometre); }
 
 }  // namespace artcal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace artcal {
@@ -13,5 +14,9 @@ struct ShownUnit {
 
 /// By the parameter's name and unit, as results write them.
 ShownUnit shown_unit(std::string_view name, std::string_view unit);
+
+/// A length in mm as micrometres with one decimal, 204.8, and with its sign.
+std::string in_micrometres(double mm);
+std::string signed_in_micrometres(double mm);
 
 }  // namespace artcal

@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t max_rows = 330;  // of a quantity: the 300 lengths of a plate of 25 balls are all shown
-constexpr int max_drawn = 1500;        // of a quantity
+constexpr std::size_t max_rows = 330;   // of a quantity: the 300 lengths of a plate of 25 balls are all shown
+constexpr int max_values_drawn = 1500;  // of a quantity
 
 bool is_length(const Json& value) { return !value.at("second").is_null(); }
 
@@ -105,7 +105,7 @@ DrawnLengths drawn_lengths(const ValuesOfQuantity& quantity, const DrawnUnit& un
     }
   }
   Json x = Json::array(), y = Json::array(), names = Json::array(), verdicts = Json::array();
-  const auto kept = thinned(lengths, errors, max_drawn);
+  const auto kept = thinned(lengths, errors, max_values_drawn);
   for (const int i : kept) {
     const Json& value = *quantity.values[i];
     x.push_back(drawn(lengths[i]));

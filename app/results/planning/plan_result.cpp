@@ -9,6 +9,7 @@
 #include "acquisition/csv/csv_text.h"
 #include "app/output/table.h"
 #include "app/results/result_head.h"
+#include "app/results/shown_unit.h"
 #include "artefacts/verification/point_uncertainty.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
@@ -59,14 +60,12 @@ Json chosen_json(const PlanResult& result, const ChosenPlacement& chosen) {
           {"readings", readings}};
 }
 
-std::string micrometres(double mm) { return fmt::format("{:.1f}", mm / units::micrometre); }
-
 std::string expectations_text(const PlanResult& result) {
   Table table({"", "mean", "worst", "arm's share: mean", "worst", "O1", "O2", "O3", "O4", "O5"});
   const auto add = [&](const std::string& what, const Expectation& expectation) {
     const Observability& o = expectation.observability;
-    std::vector<std::string> row{what, micrometres(expectation.u.mean), micrometres(expectation.u.worst),
-                                 micrometres(expectation.u_of_arm.mean), micrometres(expectation.u_of_arm.worst)};
+    std::vector<std::string> row{what, in_micrometres(expectation.u.mean), in_micrometres(expectation.u.worst),
+                                 in_micrometres(expectation.u_of_arm.mean), in_micrometres(expectation.u_of_arm.worst)};
     for (const double index : {o.o1, o.o2, o.o3, o.o4, o.o5}) {
       row.push_back(fmt::format("{:.3g}", index));
     }
@@ -77,8 +76,8 @@ std::string expectations_text(const PlanResult& result) {
   }
   add("with this plan", result.planning.planned);
   table.add({fmt::format("as many by chance (median of {})", result.options.random_plans),
-             micrometres(result.planning.random.mean), micrometres(result.planning.random.worst),
-             micrometres(result.planning.random_of_arm.mean), micrometres(result.planning.random_of_arm.worst)});
+             in_micrometres(result.planning.random.mean), in_micrometres(result.planning.random.worst),
+             in_micrometres(result.planning.random_of_arm.mean), in_micrometres(result.planning.random_of_arm.worst)});
   add("with everything possible", result.planning.all);
   return table.text();
 }

@@ -4,6 +4,7 @@
 
 #include "app/output/table.h"
 #include "app/results/result_head.h"
+#include "app/results/shown_unit.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -19,18 +20,16 @@ Json spread_json(const SpreadOfU& spread) {
           {"maximum_mm", spread.maximum}};
 }
 
-std::string micrometres(double mm) { return fmt::format("{:.1f}", mm / units::micrometre); }
-
 std::string lengths_text(const WorkingVolume& volume) {
   Table table({"length", "mm", "rms of u", "95 % below", "largest u", "rms of the arm's share"});
   const auto add = [&](const std::string& what, const std::string& length, const SpreadOfU& u,
                        const std::string& share) {
     table.add(u.count == 0 ? std::vector<std::string>{what, length, "out of reach", "", "", ""}
-                           : std::vector<std::string>{what, length, micrometres(u.rms), micrometres(u.quantile_95),
-                                                      micrometres(u.maximum), share});
+                           : std::vector<std::string>{what, length, in_micrometres(u.rms),
+                                                      in_micrometres(u.quantile_95), in_micrometres(u.maximum), share});
   };
   for (const LengthUncertainty& length : volume.lengths) {
-    add("between two points", fmt::format("{:.0f}", length.length), length.u, micrometres(length.u_of_arm.rms));
+    add("between two points", fmt::format("{:.0f}", length.length), length.u, in_micrometres(length.u_of_arm.rms));
   }
   add("diameter of a sphere, 25 points", "", volume.sphere_diameter, "");
   return table.text();
@@ -48,7 +47,7 @@ std::string map_text(const WorkingVolume& volume, int rings) {
     std::vector<std::string> row{fmt::format("{:.0f}", volume.map[level].height)};
     for (int ring = 0; ring < rings; ++ring) {
       const SpreadOfU& u = volume.map[ring * levels + level].u;
-      row.push_back(u.count == 0 ? "." : micrometres(u.rms));
+      row.push_back(u.count == 0 ? "." : in_micrometres(u.rms));
     }
     table.add(row);
   }

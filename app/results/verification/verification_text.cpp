@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/output/table.h"
+#include "app/results/shown_unit.h"
 #include "app/results/verification/standard_name.h"
 #include "app/results/verification/verification_run.h"
 #include "core/text/in_quotes.h"
@@ -18,15 +19,12 @@ namespace {
 constexpr std::size_t max_values = 12;  // of a quantity, unless more of them do not conform
 constexpr std::size_t max_balls = 150;  // of a plate
 
-std::string micrometres(double value) { return fmt::format("{:.1f}", value / units::micrometre); }
-std::string signed_micrometres(double value) { return fmt::format("{:+.1f}", value / units::micrometre); }
-
 std::string shown(const std::string& name) { return truncated(40, name); }
 
 // Ranges and diameters have no sign, errors do.
 std::string value_text(const TestValue& value) {
   const bool is_error = value.certified > 0.0;
-  return is_error ? signed_micrometres(value.value) : micrometres(value.value);
+  return is_error ? signed_in_micrometres(value.value) : in_micrometres(value.value);
 }
 
 // As the standards write it.
@@ -47,7 +45,7 @@ const char* symbol_of(Quantity quantity) {
   return "volumetric";
 }
 
-std::string limit_text(const TestValue& value) { return value.limit ? micrometres(*value.limit) : "-"; }
+std::string limit_text(const TestValue& value) { return value.limit ? in_micrometres(*value.limit) : "-"; }
 
 std::string share_text(const TestValue& value) {
   return value.limit ? fmt::format("{:.0f} %", 100.0 * severity(value)) : "-";
@@ -187,8 +185,8 @@ std::string plate_text(const PlatePlacement& plate, bool all) {
   Table table({"ball, residual in the plate's axes, um", "x", "y", "z", "standardised", ""});
   for (const BallResidual& ball : plate.balls) {
     if (all || plate.balls.size() <= max_balls || ball.is_outlier) {
-      table.add({shown(ball.feature), signed_micrometres(ball.residual_in_plate.x()),
-                 signed_micrometres(ball.residual_in_plate.y()), signed_micrometres(ball.residual_in_plate.z()),
+      table.add({shown(ball.feature), signed_in_micrometres(ball.residual_in_plate.x()),
+                 signed_in_micrometres(ball.residual_in_plate.y()), signed_in_micrometres(ball.residual_in_plate.z()),
                  fmt::format("{:.1f}", ball.standardised), ball.is_outlier ? "outlier" : ""});
     }
   }
@@ -204,8 +202,8 @@ std::string calibration_text(const PlateCalibration& calibration) {
     const auto at = calibration.centres.col(i);
     const auto off = calibration.deviations.col(i);
     const auto mm = [](double value) { return fmt::format("{:.5f}", value); };
-    table.add({shown(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()), signed_micrometres(off.x()),
-               signed_micrometres(off.y()), signed_micrometres(off.z()),
+    table.add({shown(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()), signed_in_micrometres(off.x()),
+               signed_in_micrometres(off.y()), signed_in_micrometres(off.z()),
                fmt::format("{:.2f}", calibration.u(i) / units::micrometre)});
   }
   return text + table.text() + "\n";
@@ -214,15 +212,15 @@ std::string calibration_text(const PlateCalibration& calibration) {
 std::string b89_text(const VerificationResult& result) {
   std::string text;
   for (const Articulation& a : result.articulations) {
-    text +=
-        fmt::format("{} at {}: {} readings, maximum {}, 2 s {}, (max - min)/2 {} {} {} um (x y z)\n", shown(a.feature),
-                    shown(a.placement), a.readings, micrometres(a.largest), micrometres(a.twice_s),
-                    micrometres(a.half_range.x()), micrometres(a.half_range.y()), micrometres(a.half_range.z()));
+    text += fmt::format("{} at {}: {} readings, maximum {}, 2 s {}, (max - min)/2 {} {} {} um (x y z)\n",
+                        shown(a.feature), shown(a.placement), a.readings, in_micrometres(a.largest),
+                        in_micrometres(a.twice_s), in_micrometres(a.half_range.x()), in_micrometres(a.half_range.y()),
+                        in_micrometres(a.half_range.z()));
   }
   if (const auto& v = result.volumetric) {
     text += fmt::format("volumetric, {} lengths: maximum {}, range {}, 2 RMS about zero {}, 2 s about the mean {} um\n",
-                        v->lengths, micrometres(v->largest), micrometres(v->range), micrometres(v->twice_rms),
-                        micrometres(v->twice_s));
+                        v->lengths, in_micrometres(v->largest), in_micrometres(v->range), in_micrometres(v->twice_rms),
+                        in_micrometres(v->twice_s));
   }
   return text.empty() ? text : text + "\n";
 }
@@ -233,7 +231,7 @@ std::string interim_text(const InterimCheck& check) {
     const std::string features = shown(drift.first) + (drift.second.empty() ? "" : " - " + shown(drift.second));
     const bool told = drift.degrees_of_freedom > 0;
     table.add({fmt::format("{} {}: {}", name_of(drift.quantity), shown(drift.placement), features),
-               signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
+               signed_in_micrometres(drift.then), signed_in_micrometres(drift.now), signed_in_micrometres(drift.drift),
                fmt::format("{:.2f}", drift.u / units::micrometre),
                told ? fmt::format("{:.2f}", drift.repeatability / units::micrometre) : "no repeats",
                drift.significant ? "significant" : ""});
