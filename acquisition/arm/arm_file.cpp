@@ -23,7 +23,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::string_view schema = "artcal-arm/1";
+constexpr std::string_view arm_schema = "artcal-arm/1";
 constexpr std::size_t fingerprints_a_line = 8;
 constexpr double max_mechanical_coupling = 10.0;
 
@@ -330,19 +330,20 @@ Expected<ArmFile> arm_file_of(Expected<TomlDocument> document, const std::filesy
 }  // namespace
 
 Expected<ArmFile> read_arm_file(const std::filesystem::path& path) {
-  return arm_file_of(TomlDocument::read(path, schema), path);
+  return arm_file_of(TomlDocument::read(path, arm_schema), path);
 }
 
 Expected<Arm> arm_of_text(const std::string& text, const std::string& name) {
-  return arm_file_of(TomlDocument::parse({name, text, ""}, schema), name).map([](ArmFile&& file) {
+  return arm_file_of(TomlDocument::parse({name, text, ""}, arm_schema), name).map([](ArmFile&& file) {
     return std::move(file.arm);
   });
 }
 
 std::string arm_file_text(const Arm& arm, const std::optional<ArmIdentification>& identification) {
   std::string text = fmt::format(
-      "schema = \"{}\"\nname = {}\nconvention = \"{}\"\nunits = {{ length = \"mm\", angle = \"rad\" }}\n{}\n", schema,
-      toml_text(arm.name), arm.convention == Convention::Modified ? "modified" : "standard", surroundings_text(arm));
+      "schema = \"{}\"\nname = {}\nconvention = \"{}\"\nunits = {{ length = \"mm\", angle = \"rad\" }}\n{}\n",
+      arm_schema, toml_text(arm.name), arm.convention == Convention::Modified ? "modified" : "standard",
+      surroundings_text(arm));
   for (const Joint& joint : arm.joints) {
     text += joint_text(joint);
   }

@@ -6,12 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "core/text/digits.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t digits_in(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_digit));

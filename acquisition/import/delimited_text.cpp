@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/digits.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 constexpr std::size_t max_fields = 1000;
 constexpr std::string_view blanks = " \t";
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_comma_number(std::string_view word) {
   bool comma = false, point = false;

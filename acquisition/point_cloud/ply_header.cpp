@@ -16,7 +16,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t longest_line = 65536;
+constexpr std::size_t longest_header_line = 65536;
 constexpr std::size_t max_properties = 4096;
 constexpr std::size_t max_records = std::numeric_limits<int>::max();
 
@@ -82,7 +82,7 @@ class Reader {
  private:
   Expected<Words> next_line() {
     where_ = fmt::format("{}:{}", path_, ++header_.lines);
-    const std::size_t end = bytes_.substr(at_, longest_line).find('\n');
+    const std::size_t end = bytes_.substr(at_, longest_header_line).find('\n');
     if (end == std::string_view::npos) {
       return bad_input("the header ends without a line end_header; is the file truncated?", where_);
     }

@@ -17,7 +17,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::string_view schema = "artcal-recording/1";
+constexpr std::string_view recording_schema = "artcal-recording/1";
 
 using Quantity = std::optional<double> (*)(std::string_view);
 
@@ -123,7 +123,7 @@ Expected<Recording> read_recording(const std::filesystem::path& path) {
 }
 
 Expected<Recording> read_recording(const std::filesystem::path& path, const FileAccess& access) {
-  auto document = TomlDocument::read(path, schema);
+  auto document = TomlDocument::read(path, recording_schema);
   if (!document) {
     return tl::unexpected(document.error());
   }

@@ -64,7 +64,7 @@ std::string rivals_text(const ReportedModel& model) {
                      is_rival ? ": it fits as well, these coordinates do not decide between them" : "");
 }
 
-std::string parameters_text(const Identification& result) {
+std::string reported_parameters_text(const Identification& result) {
   Table table({"parameter", "unit", "stated", "found", "u (k = 1)"});
   for (const IdentifiedParameter& each : result.parameters) {
     const ShownUnit unit = shown_unit(each.parameter.name, each.parameter.unit());
@@ -88,7 +88,7 @@ std::string reported_text(const ReportedModel& model, const std::string& output)
       truncated(60, model.recording.name), in_quotes(model.recording.arm.name), model.recording.readings.size(),
       assignment_text(model.assignment), 1e3 * of_coordinate(model), 1e3 * result.after.overall.maximum,
       result.before.overall.rms, rivals_text(model), result.coupling.rank, result.coupling.parameters.size(),
-      hayati_angles_text(model.recording, result), parameters_text(result), cannot_text(result.coupling));
+      hayati_angles_text(model.recording, result), reported_parameters_text(result), cannot_text(result.coupling));
   for (const std::string& warning : result.warnings) {
     text += fmt::format("Warning: {}\n", warning);
   }

@@ -20,11 +20,6 @@ constexpr const char* warnings_query = "SELECT recording FROM remarks WHERE kind
 constexpr const char* shares_query =
     "SELECT recording, value_mm, limit_mm FROM verification_values WHERE limit_mm > 0 AND set_aside = 0";
 
-std::string text_of(const StoreValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : std::string();
-}
-
 std::optional<double> number_of(const StoreValue& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? std::optional(*number) : std::nullopt;
@@ -32,19 +27,19 @@ std::optional<double> number_of(const StoreValue& value) {
 
 IndexRow row_of(const StoreRow& row) {
   IndexRow shown;
-  shown.recording = text_of(row[0]);
+  shown.recording = text_or_empty(row[0]);
   const auto* whole = std::get_if<long long>(&row[1]);
   const long long exit_code = whole != nullptr ? *whole : static_cast<int>(ErrorCode::BadInput);
   shown.outcome = exit_code == 0 ? IndexOutcome::Done : exit_code == 1 ? IndexOutcome::NotShown : IndexOutcome::Failed;
-  const std::string word = text_of(row[6]);
+  const std::string word = text_or_empty(row[6]);
   const std::string conclusion = word.empty() ? "" : text_of(conclusion_named(word));
-  shown.message = text_of(row[2]).empty() ? conclusion : text_of(row[2]);
-  shown.arm = text_of(row[3]);
-  shown.date = text_of(row[4]);
+  shown.message = text_or_empty(row[2]).empty() ? conclusion : text_or_empty(row[2]);
+  shown.arm = text_or_empty(row[3]);
+  shown.date = text_or_empty(row[4]);
   shown.rms_before = number_of(row[7]);
   shown.rms_after = number_of(row[8]);
   shown.task = shown.rms_after ? "identification" : "";
-  if (const std::string standard = text_of(row[5]); !standard.empty()) {
+  if (const std::string standard = text_or_empty(row[5]); !standard.empty()) {
     shown.task += (shown.task.empty() ? "" : ", ") + standard_in_words(standard);
   }
   return shown;
@@ -83,13 +78,13 @@ Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::
   }
   std::map<std::string, int> warnings_of;
   for (const StoreRow& row : *warnings) {
-    ++warnings_of[text_of(row[0])];
+    ++warnings_of[text_or_empty(row[0])];
   }
   std::map<std::string, double> largest_of;
   for (const StoreRow& row : *shares) {
     const auto value = number_of(row[1]), limit = number_of(row[2]);
     if (value && limit) {
-      double& largest = largest_of[text_of(row[0])];
+      double& largest = largest_of[text_or_empty(row[0])];
       largest = std::max(largest, std::abs(*value) / *limit);
     }
   }
@@ -104,12 +99,12 @@ Expected<std::vector<IndexRow>> index_rows(Store& store, const std::vector<std::
     rows.push_back(failed_row(path, error));
   }
   for (const StoreRow& row : *found) {
-    const auto path = path_of.find(text_of(row[0]));
+    const auto path = path_of.find(text_or_empty(row[0]));
     if (path == path_of.end()) {
       continue;
     }
     rows.push_back(row_of(row));
-    const std::string recording = text_of(row[9]);
+    const std::string recording = text_or_empty(row[9]);
     add_page(rows.back(), path->second, recording, pages, summary.page_errors);
     rows.back().warnings = warnings_of.contains(recording) ? warnings_of[recording] : 0;
     if (largest_of.contains(recording)) {

@@ -17,7 +17,7 @@ namespace artcal {
 namespace {
 
 StoreValue text_or_null(const std::string& text) { return text.empty() ? StoreValue() : StoreValue(text); }
-StoreValue number_or_null(double value) { return std::isfinite(value) ? StoreValue(value) : StoreValue(); }
+StoreValue stored_number(double value) { return std::isfinite(value) ? StoreValue(value) : StoreValue(); }
 long long whole(auto value) { return static_cast<long long>(value); }
 
 std::string name_of_content(std::initializer_list<std::string_view> parts) {
@@ -86,7 +86,7 @@ StoreRow value_row(const std::string& key, std::size_t position, const TestValue
           value.certified > 0.0 ? StoreValue(value.certified) : StoreValue(),
           value.measured,
           value.value,
-          number_or_null(value.temperature),
+          stored_number(value.temperature),
           value.limit ? StoreValue(*value.limit) : StoreValue(),
           budget.total(),
           budget.calibration,
@@ -98,7 +98,7 @@ StoreRow value_row(const std::string& key, std::size_t position, const TestValue
           std::string(result_name(value.verdict)),
           whole(value.set_aside),
           budget.points,
-          number_or_null(budget.degrees_of_freedom()),
+          stored_number(budget.degrees_of_freedom()),
           stated_coverage_factor(budget.degrees_of_freedom())};
 }
 
@@ -121,8 +121,8 @@ void add_recording(StoreRows& rows, const std::string& key, const std::string& o
 void add_identification(StoreRows& rows, const std::string& key, const Identification& result) {
   rows[StoreTable::Identifications].push_back(
       {key, whole(result.coupling.rank), result.noise, whole(result.noise_is_given), result.chi_squared,
-       whole(result.degrees_of_freedom), result.scale_factor, number_or_null(result.before.overall.rms),
-       number_or_null(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
+       whole(result.degrees_of_freedom), result.scale_factor, stored_number(result.before.overall.rms),
+       stored_number(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
        rms_left_out(result), whole(result.outliers.size()), lower_triangle(result.covariance),
        arm_file_text(result.arm, std::nullopt), combinations_text(result.coupling)});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
@@ -132,7 +132,7 @@ void add_identification(StoreRows& rows, const std::string& key, const Identific
                                             std::string(parameter.parameter.unit()),
                                             std::string(result_name(parameter.state)), parameter.nominal,
                                             parameter.identified, identified ? StoreValue(parameter.u) : StoreValue(),
-                                            identified ? number_or_null(parameter.degrees_of_freedom) : StoreValue(),
+                                            identified ? stored_number(parameter.degrees_of_freedom) : StoreValue(),
                                             identified ? StoreValue(parameter.coverage_factor()) : StoreValue()});
   }
 }

@@ -15,21 +15,19 @@
 namespace artcal {
 namespace {
 
-std::string text_of(const StoreValue& value) { return StoreReader::text_or_empty(value); }
-
 std::string certificate_in_words(const StoreRow& row) {
-  std::string text = fmt::format("{} {}", text_of(row[1]), in_quotes(text_of(row[0])));
-  if (!text_of(row[2]).empty()) {
-    text += ", certificate " + truncated(60, text_of(row[2]));
+  std::string text = fmt::format("{} {}", text_or_empty(row[1]), in_quotes(text_or_empty(row[0])));
+  if (!text_or_empty(row[2]).empty()) {
+    text += ", certificate " + truncated(60, text_or_empty(row[2]));
   }
-  if (!text_of(row[3]).empty()) {
-    text += " of " + truncated(60, text_of(row[3]));
+  if (!text_or_empty(row[3]).empty()) {
+    text += " of " + truncated(60, text_or_empty(row[3]));
   }
-  return text_of(row[4]).empty() ? text : text + ", " + text_of(row[4]);
+  return text_or_empty(row[4]).empty() ? text : text + ", " + text_or_empty(row[4]);
 }
 
 HistoryEntry read_entry(StoreReader& reader, const StoreRow& row) {
-  HistoryEntry entry{text_of(row[0]), text_of(row[1]), text_of(row[2]), {}};
+  HistoryEntry entry{text_or_empty(row[0]), text_or_empty(row[1]), text_or_empty(row[2]), {}};
   for (const StoreRow& certificate :
        reader.rows("SELECT a.name, a.type, c.number, c.laboratory, c.issued_on FROM used_certificates u "
                    "JOIN certificates c ON c.certificate = u.certificate JOIN artefacts a ON a.artefact = c.artefact "
@@ -69,7 +67,7 @@ std::vector<CalibratedParameter> read_parameters(StoreReader& reader, const std:
        reader.rows("SELECT name, unit, state, identified, u, degrees_of_freedom, coverage_factor FROM parameters "
                    "WHERE recording = :v0 ORDER BY position",
                    {recording})) {
-    CalibratedParameter parameter{text_of(row[0]), text_of(row[1]), text_of(row[2]),
+    CalibratedParameter parameter{text_or_empty(row[0]), text_or_empty(row[1]), text_or_empty(row[2]),
                                   reader.number(row[3], "parameter")};
     if (is_identified(parameter)) {
       parameter.u = reader.number(row[4], "standard uncertainty of a parameter");
@@ -92,16 +90,16 @@ void set_degrees_of_freedom(const std::optional<double>& of_total, Budget& budge
 
 TestValue read_value(StoreReader& reader, const StoreRow& row) {
   TestValue value;
-  const auto quantity = quantity_named(text_of(row[0]));
+  const auto quantity = quantity_named(text_or_empty(row[0]));
   if (!quantity) {
-    reader.fail(fmt::format("the quantity of a value is {}", in_quotes(text_of(row[0]))));
+    reader.fail(fmt::format("the quantity of a value is {}", in_quotes(text_or_empty(row[0]))));
   }
   value.quantity = quantity.value_or(Quantity::LengthUni);
-  value.artefact = text_of(row[1]);
-  value.placement = text_of(row[2]);
-  value.first = text_of(row[3]);
-  value.second = text_of(row[4]);
-  value.repeat = text_of(row[5]);
+  value.artefact = text_or_empty(row[1]);
+  value.placement = text_or_empty(row[2]);
+  value.first = text_or_empty(row[3]);
+  value.second = text_or_empty(row[4]);
+  value.repeat = text_or_empty(row[5]);
   value.certified = reader.optional_number(row[6], "certified value").value_or(0.0);
   value.measured = reader.number(row[7], "measured value");
   value.value = reader.number(row[8], "value");
@@ -113,7 +111,7 @@ TestValue read_value(StoreReader& reader, const StoreRow& row) {
   set_degrees_of_freedom(reader.optional_number(row[19], "degrees of freedom of a value"), value.budget);
   value.set_aside = reader.truth(row[16], "set_aside");
   value.limit = reader.optional_number(row[17], "limit");
-  value.verdict = verdict_named(text_of(row[18]));
+  value.verdict = verdict_named(text_or_empty(row[18]));
   return value;
 }
 
@@ -139,7 +137,7 @@ Calibration read_calibration(StoreReader& reader, const StoreRow& row) {
   calibration.parameters = read_parameters(reader, calibration.entry.recording, noise_freedom(row[6], row[7]));
   const auto identified = std::count_if(calibration.parameters.begin(), calibration.parameters.end(), is_identified);
   calibration.covariance = reader.covariance(row[5], static_cast<std::size_t>(identified));
-  if (const std::string text = text_of(row[8]); !text.empty()) {
+  if (const std::string text = text_or_empty(row[8]); !text.empty()) {
     if (auto arm = arm_of_text(text, "arm_file")) {
       calibration.arm = std::move(*arm);
     } else {
@@ -199,9 +197,9 @@ void read_verifications(StoreReader& reader, ArmHistory& history) {
                                "FROM current_recordings r JOIN verifications v ON v.recording = r.recording") +
                        in_order,
                    {history.arm})) {
-    reader.set_recording(text_of(row[0]));
-    all.push_back({read_entry(reader, row), text_of(row[3]), conclusion_named(text_of(row[4])),
-                   read_values(reader, text_of(row[0]))});
+    reader.set_recording(text_or_empty(row[0]));
+    all.push_back({read_entry(reader, row), text_or_empty(row[3]), conclusion_named(text_or_empty(row[4])),
+                   read_values(reader, text_or_empty(row[0]))});
   }
   if (reader.error()) {
     return;
@@ -219,7 +217,7 @@ void read_verifications(StoreReader& reader, ArmHistory& history) {
 std::string arms_in_words(StoreReader& reader) {
   std::string text;
   for (const StoreRow& row : reader.rows("SELECT arm FROM arms ORDER BY arm LIMIT 12")) {
-    text += (text.empty() ? "" : ", ") + in_quotes(text_of(row[0]));
+    text += (text.empty() ? "" : ", ") + in_quotes(text_or_empty(row[0]));
   }
   return text.empty() ? "none" : text;
 }

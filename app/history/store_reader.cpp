@@ -47,11 +47,6 @@ std::vector<StoreRow> StoreReader::rows(const std::string& sql, const StoreRow& 
   return std::move(*rows);
 }
 
-std::string StoreReader::text_or_empty(const StoreValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : std::string();
-}
-
 std::string StoreReader::text(const StoreValue& value, const char* column) {
   if (!std::holds_alternative<std::string>(value)) {
     fail(fmt::format("its {} is no text", column));

@@ -21,7 +21,6 @@ class StoreReader {
   /// Messages name the result that values are of.
   void set_recording(const std::string& recording) { recording_ = recording; }
 
-  static std::string text_or_empty(const StoreValue& value);
   std::string text(const StoreValue& value, const char* column);
   double number(const StoreValue& value, const char* column);  ///< finite
   std::optional<double> optional_number(const StoreValue& value, const char* column);

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-constexpr std::size_t max_rows = 60;
+constexpr std::size_t max_values_listed = 60;
 
 /// The verifications by one standard, and what their times are called.
 struct Times {
@@ -151,7 +151,7 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
                      {"u"},
                      {"change / u"},
                      {"", false, false, false, false, true}});
-  for (std::size_t i = 0; i < std::min(max_rows, drifts.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_values_listed, drifts.size()); ++i) {
     const Drift& drift = drifts[i];
     table.add_markup(
         {html::cell(name_of(drift.quantity)), html::cell(place_of(drift.placement, drift.first, drift.second)),
@@ -163,8 +163,9 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
         drift.significant ? "notable" : "");
   }
   sheet.table(table);
-  if (drifts.size() > max_rows) {
-    sheet.paragraph(fmt::format("{} more changed less; artcal history --json has them.", drifts.size() - max_rows));
+  if (drifts.size() > max_values_listed) {
+    sheet.paragraph(
+        fmt::format("{} more changed less; artcal history --json has them.", drifts.size() - max_values_listed));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
 namespace artcal {
@@ -13,5 +14,7 @@ nlohmann::ordered_json json_list(const Items& items, ToJson to_json) {
   }
   return json;
 }
+
+inline nlohmann::ordered_json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
 }  // namespace artcal

@@ -50,7 +50,7 @@ std::string long_word_markup(std::string_view word) {
 }
 
 // A string of CSS in an attribute: the headings are the program's own words.
-std::string css_string(std::string_view heading) { return fmt::format("'{}'", text(heading)); }
+std::string css_heading(std::string_view heading) { return fmt::format("'{}'", text(heading)); }
 
 }  // namespace
 
@@ -125,7 +125,7 @@ std::string Table::markup(std::string_view attributes) const {
           fmt::format("<th scope=\"col\"{}>{}</th>", column.is_number ? " class=\"number\"" : "", text(column.heading));
       labels += column.is_heading || column.heading.empty()
                     ? ""
-                    : fmt::format("--c{}:{};", shown.size(), css_string(column.heading));
+                    : fmt::format("--c{}:{};", shown.size(), css_heading(column.heading));
     }
   }
   for (const Row& row : rows_) {

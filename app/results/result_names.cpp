@@ -31,6 +31,8 @@ const char* result_name(ParameterState state) {
   return "identified";
 }
 
+const char* result_name(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
+
 Verdict verdict_named(std::string_view word) {
   for (const Verdict verdict : {Verdict::ConformityProven, Verdict::NonConformityProven, Verdict::NeitherProven}) {
     if (word == result_name(verdict)) {

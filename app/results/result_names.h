@@ -11,6 +11,7 @@ namespace artcal {
 const char* result_name(Verdict verdict);
 const char* result_name(Conclusion conclusion);
 const char* result_name(ParameterState state);
+const char* result_name(Loss loss);
 
 /// What such a word means; of any other, that nothing was judged or shown.
 Verdict verdict_named(std::string_view word);

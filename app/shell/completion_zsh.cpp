@@ -7,7 +7,7 @@ namespace artcal {
 namespace {
 
 // Inside single quotes; _arguments reads ':', '[' and ']' itself.
-std::string escaped(const std::string& text) {
+std::string zsh_escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '\'') {
@@ -23,7 +23,7 @@ std::string escaped(const std::string& text) {
 
 // A pattern's last brackets are qualifiers of it: (-.) are files, links to them too.
 std::string action(const OptionDescription& option) {
-  const std::string name = escaped(option.value);
+  const std::string name = zsh_escaped(option.value);
   if (!option.rule.choices.empty()) {
     return fmt::format(":{}:({})", name, fmt::join(option.rule.choices, " "));
   }
@@ -45,14 +45,14 @@ void add_function(const CommandDescription& command, std::string& script) {
   script += function_name(command) + "() {\n  local -a commands\n  local state line\n  _arguments -S -C";
   for (const OptionDescription& option : command.options) {
     for (const std::string& name : option.names) {
-      script += fmt::format(" \\\n    '({})'{}'[{}]{}'", fmt::join(option.names, " "), name, escaped(option.text),
+      script += fmt::format(" \\\n    '({})'{}'[{}]{}'", fmt::join(option.names, " "), name, zsh_escaped(option.text),
                             option.value.empty() ? "" : action(option));
     }
   }
   if (!command.commands.empty()) {
     script += " \\\n    '1: :->command' '*:: :->inside'\n  case $state in\n  command)\n    commands=(";
     for (const CommandDescription& inside : command.commands) {
-      script += fmt::format("\n      '{}:{}'", inside.path.back(), escaped(inside.summary));
+      script += fmt::format("\n      '{}:{}'", inside.path.back(), zsh_escaped(inside.summary));
     }
     script += "\n    )\n    _describe command commands ;;\n  inside)\n    case $words[1] in\n";
     for (const CommandDescription& inside : command.commands) {

@@ -12,7 +12,7 @@ namespace artcal {
 namespace {
 
 // A line that begins with a dot or an apostrophe would be a request; a bare hyphen may become a dash.
-std::string escaped(std::string_view text) {
+std::string roff_escaped(std::string_view text) {
   std::string roff;
   for (const char c : text) {
     if (c == '\\') {
@@ -34,7 +34,7 @@ std::string upper(std::string text) {
 std::string entries(const std::string& title, const std::vector<OptionDescription>& options) {
   std::string page = options.empty() ? "" : ".SH " + title + "\n";
   for (const OptionDescription& option : options) {
-    page += fmt::format(".TP\n.B {}\n{}\n", escaped(heading(option)), escaped(option.full_text()));
+    page += fmt::format(".TP\n.B {}\n{}\n", roff_escaped(heading(option)), roff_escaped(option.full_text()));
   }
   return page;
 }
@@ -42,7 +42,7 @@ std::string entries(const std::string& title, const std::vector<OptionDescriptio
 std::string examples(const std::vector<std::string>& lines) {
   std::string page = lines.empty() ? "" : ".SH EXAMPLES\n.nf\n";
   for (const std::string& line : lines) {
-    page += escaped(line) + "\n";
+    page += roff_escaped(line) + "\n";
   }
   return lines.empty() ? page : page + ".fi\n";
 }
@@ -51,14 +51,15 @@ std::string commands(const CommandDescription& command) {
   std::string page = command.commands.empty() ? "" : ".SH COMMANDS\n";
   const bool is_program = command.path.size() == 1;
   for (const CommandDescription& inside : command.commands) {
-    page += fmt::format(".TP\n.B {}\n{}\n", escaped(is_program ? inside.path.back() : inside.usage()),
-                        escaped(inside.summary));
+    page += fmt::format(".TP\n.B {}\n{}\n", roff_escaped(is_program ? inside.path.back() : inside.usage()),
+                        roff_escaped(inside.summary));
     if (is_program) {
       continue;
     }
     for (const auto* options : {&inside.arguments, &inside.options}) {
       for (const OptionDescription& option : *options) {
-        page += fmt::format(".RS\n.TP\n.B {}\n{}\n.RE\n", escaped(heading(option)), escaped(option.full_text()));
+        page +=
+            fmt::format(".RS\n.TP\n.B {}\n{}\n.RE\n", roff_escaped(heading(option)), roff_escaped(option.full_text()));
       }
     }
   }
@@ -92,7 +93,7 @@ std::string see_also(const CommandDescription& command) {
   }
   std::vector<std::string> pages;
   for (const CommandDescription& inside : command.commands) {
-    pages.push_back(fmt::format(".BR {} (1)", escaped(manual_name(inside))));
+    pages.push_back(fmt::format(".BR {} (1)", roff_escaped(manual_name(inside))));
   }
   return fmt::format(".SH SEE ALSO\n{}\n", fmt::join(pages, ",\n"));
 }
@@ -105,10 +106,10 @@ std::string manual_page(const CommandDescription& command, std::string_view vers
   const Footer footer = parse_footer(command.footer);
   std::string page =
       fmt::format(".TH {} 1 \"\" \"artcal {}\" \"User Commands\"\n", upper(manual_name(command)), version);
-  page += fmt::format(".SH NAME\n{} \\- {}\n", escaped(manual_name(command)), escaped(command.summary));
-  page += fmt::format(".SH SYNOPSIS\n.B {}\n", escaped(command.usage()));
+  page += fmt::format(".SH NAME\n{} \\- {}\n", roff_escaped(manual_name(command)), roff_escaped(command.summary));
+  page += fmt::format(".SH SYNOPSIS\n.B {}\n", roff_escaped(command.usage()));
   if (!footer.prose.empty()) {
-    page += fmt::format(".SH DESCRIPTION\n{}\n", escaped(footer.prose));
+    page += fmt::format(".SH DESCRIPTION\n{}\n", roff_escaped(footer.prose));
   }
   page += entries("ARGUMENTS", command.arguments) + commands(command) + entries("OPTIONS", command.options);
   page += std::string(exit_status) + examples(footer.examples) + see_also(command);

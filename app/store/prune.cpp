@@ -6,11 +6,6 @@
 namespace artcal {
 namespace {
 
-std::string text_of(const StoreValue& value) {
-  const auto* text = std::get_if<std::string>(&value);
-  return text != nullptr ? *text : std::string();
-}
-
 bool is_there(const std::string& path) {
   std::error_code error;
   // A path that is not UTF-8 stands in the store in other characters (stored_text.h): nothing is known of it.
@@ -29,17 +24,17 @@ Expected<std::vector<VanishedFile>> vanished_files(Store& store) {
   std::map<std::string, std::string> places;  // of a recording: a path that is there
   std::vector<const StoreRow*> gone;
   for (const StoreRow& row : *rows) {
-    const std::string recording = text_of(row[1]);
-    if (!is_there(text_of(row[0]))) {
+    const std::string recording = text_or_empty(row[1]);
+    if (!is_there(text_or_empty(row[0]))) {
       gone.push_back(&row);
     } else if (!recording.empty()) {
-      places.emplace(recording, text_of(row[0]));
+      places.emplace(recording, text_or_empty(row[0]));
     }
   }
   std::vector<VanishedFile> files;
   for (const StoreRow* row : gone) {
-    const auto place = places.find(text_of((*row)[1]));
-    files.push_back({text_of((*row)[0]), text_of((*row)[2]), place == places.end() ? "" : place->second});
+    const auto place = places.find(text_or_empty((*row)[1]));
+    files.push_back({text_or_empty((*row)[0]), text_or_empty((*row)[2]), place == places.end() ? "" : place->second});
   }
   return files;
 }

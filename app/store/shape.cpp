@@ -91,4 +91,9 @@ const TableShape& shape_of(StoreTable table) {
   return shapes[static_cast<std::size_t>(table)];
 }
 
+std::string text_or_empty(const StoreValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : std::string();
+}
+
 }  // namespace artcal

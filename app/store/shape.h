@@ -11,6 +11,9 @@ namespace artcal {
 using StoreValue = std::variant<std::monostate, long long, double, std::string>;
 using StoreRow = std::vector<StoreValue>;
 
+/// Empty for a value that is no text.
+std::string text_or_empty(const StoreValue& value);
+
 enum class ColumnKind { Text, Whole, Real };
 
 struct StoreColumn {

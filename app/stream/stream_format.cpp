@@ -12,7 +12,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::string_view schema = "artcal-stream/1";
+constexpr std::string_view stream_schema = "artcal-stream/1";
 
 bool is_column(const std::string& field) {
   int number = 0;
@@ -97,7 +97,7 @@ void check_columns(TomlTable& root, const StreamFormat& format) {
 }  // namespace
 
 Expected<StreamFormat> read_stream_format(const std::filesystem::path& path) {
-  auto document = TomlDocument::read(path, schema);
+  auto document = TomlDocument::read(path, stream_schema);
   if (!document) {
     return tl::unexpected(document.error());
   }

@@ -19,7 +19,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::string_view schema = "artcal-artefact/1";
+constexpr std::string_view artefact_schema = "artcal-artefact/1";
 
 ArtefactType read_type(TomlTable& root) {
   if (!root.has("type")) {
@@ -128,7 +128,7 @@ Expected<ArtefactFile> read_artefact_file(const std::filesystem::path& path, con
   if (looks_like_xml(*file)) {
     return wants_an_artefact_file(*file);
   }
-  auto document = TomlDocument::parse(*file, schema);
+  auto document = TomlDocument::parse(*file, artefact_schema);
   if (!document) {
     return tl::unexpected(document.error());
   }

@@ -10,7 +10,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t max_listed = 12;
+constexpr std::size_t max_quantities_listed = 12;
 
 bool holds(const std::vector<std::string>& all, std::string_view one) {
   return std::find(all.begin(), all.end(), one) != all.end();
@@ -66,11 +66,11 @@ std::vector<const DccQuantity*> candidates(const DccCertificate& certificate, st
 
 std::string list_of(const std::vector<const DccQuantity*>& quantities) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(max_listed, quantities.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_quantities_listed, quantities.size()); ++i) {
     text += (i == 0 ? "" : "; ") + quantities[i]->text();
   }
-  if (quantities.size() > max_listed) {
-    text += fmt::format("; and {} more", quantities.size() - max_listed);
+  if (quantities.size() > max_quantities_listed) {
+    text += fmt::format("; and {} more", quantities.size() - max_quantities_listed);
   }
   return text;
 }

@@ -11,6 +11,7 @@
 #include "core/calendar_date.h"
 #include "core/files/size_limits.h"
 #include "core/text/decimal_comma.h"
+#include "core/text/digits.h"
 #include "core/text/in_quotes.h"
 #include "core/text/name_list.h"
 #include "core/toml/toml_keys.h"
@@ -109,7 +110,7 @@ bool is_schema_name(std::string_view text) {
   const std::size_t slash = text.find('/');
   return slash != std::string_view::npos && text.size() <= 40 &&
          all_of(text.substr(0, slash), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; }) &&
-         all_of(text.substr(slash + 1), [](char c) { return c >= '0' && c <= '9'; });
+         all_of(text.substr(slash + 1), is_digit);
 }
 
 /// A key that no reader asked for, what it holds and the table that it stands in.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random.h"
+#include "fitting/chosen_points.h"
 
 namespace artcal::fitting {
 namespace {
@@ -32,14 +33,6 @@ std::vector<int> draw(RandomStream& random, int size, Eigen::Index count) {
     picked.push_back(known ? static_cast<int>(j) : pick);
   }
   return picked;
-}
-
-Eigen::Matrix3Xd columns(const Points& points, const std::vector<int>& which) {
-  Eigen::Matrix3Xd some(3, static_cast<Eigen::Index>(which.size()));
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    some.col(static_cast<Eigen::Index>(i)) = points.col(which[i]);
-  }
-  return some;
 }
 
 // The distance that `share` of the points stay within.
@@ -77,13 +70,13 @@ std::optional<F> best_subset(const Points& points, const FitOptions& options, Ei
   const Eigen::Index judged = std::min(points.cols(), judged_points);
   const Eigen::Matrix3Xd jury = judged == points.cols()
                                     ? Eigen::Matrix3Xd(points)
-                                    : columns(points, draw(random, static_cast<int>(judged), points.cols()));
+                                    : chosen_points(points, draw(random, static_cast<int>(judged), points.cols()));
   const double share = static_cast<double>(sound) / static_cast<double>(points.cols());
   std::optional<F> best;
   double best_distance = 0.0;
   const int size = std::min<int>(subset_size<F>, static_cast<int>(points.cols()));
   for (int trial = 0; trial < trials<F>; ++trial) {
-    const auto subset = fit<F>(columns(points, draw(random, size, points.cols())), options);
+    const auto subset = fit<F>(chosen_points(points, draw(random, size, points.cols())), options);
     if (!subset) {
       continue;
     }

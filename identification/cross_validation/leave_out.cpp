@@ -15,7 +15,7 @@ namespace {
 
 using Place = std::pair<int, int>;  // artefact, placement
 
-std::vector<Place> places_of(const Constraints& constraints) {
+std::vector<Place> places_read(const Constraints& constraints) {
   std::vector<Place> places;
   for (const auto& feature : constraints.features) {
     const Place place{feature.artefact, feature.placement};
@@ -74,7 +74,7 @@ LeftOut leave_out(const System& readings, const Recording& recording, const Cons
 
 std::vector<LeftOut> leave_placements_out(const System& readings, const Recording& recording,
                                           const Constraints& constraints, const LeavingOut& leaving_out) {
-  const auto places = places_of(constraints);
+  const auto places = places_read(constraints);
   if (places.size() < 2) {
     return {};
   }

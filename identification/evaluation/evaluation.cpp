@@ -46,7 +46,7 @@ Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns
   return feature.known.front();
 }
 
-bool is_ball(const FeatureConstraint& feature) {
+bool has_centre(const FeatureConstraint& feature) {
   return feature.kind == ConstraintKind::OnBall || feature.kind == ConstraintKind::AtDistance;
 }
 
@@ -64,7 +64,7 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
     const PlaneAxis axis(group.reference, group.values.data());
     const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
     measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
-  } else if (is_ball(feature)) {
+  } else if (has_centre(feature)) {
     // Readings that do not determine a centre leave it where the artefact has it.
     measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))
                                  .value_or(certified_point(feature, unknowns));
@@ -75,7 +75,7 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
 // Variance, per variance of a reading, of a feature's point along a direction: of a centre by the normal equations of
 // |P − c| = ρ, which readings on a small cap hardly determine; of a point or a plane by its mean.
 double variance_of_point(const Tips& tips, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
-  if (!is_ball(*tips.feature)) {
+  if (!has_centre(*tips.feature)) {
     return 1.0 / tips.feature->size();
   }
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
@@ -127,7 +127,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
     }
     measured.push_back(measure(tips, *unknowns));
     evaluation.points.push_back(measured.back().point_in_base);
-    certified.push_back(is_ball(feature) ? certified_point(feature, *unknowns) : evaluation.points.back());
+    certified.push_back(has_centre(feature) ? certified_point(feature, *unknowns) : evaluation.points.back());
     evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
     placements[{feature.artefact, feature.placement}].add(sum);
     artefacts[feature.artefact].add(sum);

@@ -17,7 +17,7 @@ namespace artcal {
 namespace {
 
 constexpr int max_findings = 8;
-constexpr double least_noise = 1e-6;  // mm; below, what is left is rounding
+constexpr double rounding_noise = 1e-6;  // mm; below, what is left is rounding
 
 // More than a joint that works turns by without its encoder: rad, rms over the readings, their mean taken off.
 constexpr double max_rotation = 0.01;
@@ -193,7 +193,7 @@ Remainder without_family(const EffectFamily& family, Searched rows) {
 
 ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recording& recording) {
   ModelStudy study;
-  if (fit.noise < least_noise) {
+  if (fit.noise < rounding_noise) {
     return study;
   }
   const EffectColumns effects(system, recording);

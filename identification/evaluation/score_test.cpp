@@ -1,5 +1,7 @@
 #include "identification/evaluation/score_test.h"
 
+#include "core/triangular_solve.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +50,7 @@ double score_statistic(const Eigen::MatrixXd& columns, const Eigen::VectorXd& re
     return 0.0;
   }
   Eigen::VectorXd whitened = qr.colsPermutation().transpose() * (columns.transpose() * residuals);
-  qr.matrixQR().topRows(columns.cols()).triangularView<Eigen::Upper>().transpose().solveInPlace(whitened);
+  solve_upper_transposed(qr.matrixQR().topRows(columns.cols()), whitened);
   return whitened.squaredNorm();
 }
 

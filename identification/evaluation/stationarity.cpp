@@ -11,7 +11,7 @@ namespace artcal {
 namespace {
 
 constexpr double max_relative_offset = 1e-3;
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_a_step = 1e-12;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ ResidualParts residual_parts(const Linearisation& linearisation, int arm_size) {
   if (arm_size > 0 && triangle.rows() > 0) {
     const Eigen::BDCSVD<Eigen::MatrixXd> decomposition(triangle.leftCols(arm_size), Eigen::ComputeThinU);
     const Eigen::VectorXd& values = decomposition.singularValues();
-    const Eigen::Index rank = (values.array() > rounding * values[0]).count();
+    const Eigen::Index rank = (values.array() > rounding_of_a_step * values[0]).count();
     of_arm = (decomposition.matrixU().leftCols(rank).transpose() * residual).squaredNorm();
   }
   return {std::sqrt(tangential + of_arm), std::sqrt(std::max(0.0, residual.squaredNorm() - of_arm))};

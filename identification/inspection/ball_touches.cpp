@@ -18,13 +18,13 @@ namespace {
 
 // Of the radius: touches nearer to one plane than this lie on a circle.
 constexpr double flat = 0.02;
-constexpr double singular = 1e-12;
+constexpr double singular_determinant = 1e-12;
 
 // Of a centre in its worst direction where the radius is known.
 double dilution_of_known_radius(const Eigen::Matrix3Xd& directions) {
   const Eigen::Matrix3d normal = directions * directions.transpose();
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues()[0];
-  return least > singular ? 1.0 / std::sqrt(least) : std::numeric_limits<double>::infinity();
+  return least > singular_determinant ? 1.0 / std::sqrt(least) : std::numeric_limits<double>::infinity();
 }
 
 double dilution_of(const FeatureConstraint& feature, const Eigen::Matrix3Xd& directions) {

@@ -50,7 +50,7 @@ std::tuple<int, int, int> nearest_direction(const Eigen::Vector3d& stylus) {
   return best;
 }
 
-struct Sides {
+struct ElbowSides {
   int left = 0, right = 0;
   [[nodiscard]] bool on(int count) const { return count > other_side * std::max(1, left + right); }
 };
@@ -71,7 +71,7 @@ Usage usage_of(const Recording& recording) {
   usage.nearest = std::numeric_limits<double>::infinity();
   std::set<std::tuple<bool, bool, bool, bool>> places;
   std::set<std::tuple<int, int, int>> directions;
-  std::map<int, Sides> placements;
+  std::map<int, ElbowSides> placements;
   Arm without_stylus = recording.arm;  // tips where the last joint's frame is
   for (Probe& probe : without_stylus.probes) {
     probe.tip_in_last.setZero();
@@ -89,7 +89,7 @@ Usage usage_of(const Recording& recording) {
     if (length > 0.0) {
       directions.insert(nearest_direction((tip_in_base - tip_at(without_stylus, reading.probe, q)) / length));
     }
-    Sides& sides = placements[reading.placement];
+    ElbowSides& sides = placements[reading.placement];
     const Elbow elbow = elbow_side(recording.arm, reading.probe, q);
     sides.left += elbow == Elbow::Left ? 1 : 0;
     sides.right += elbow == Elbow::Right ? 1 : 0;

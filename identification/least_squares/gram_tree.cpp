@@ -12,7 +12,7 @@
 namespace artcal {
 namespace {
 
-Placement place_of(const FeatureConstraint& feature) { return {feature.artefact, feature.placement}; }
+Placement placement_of(const FeatureConstraint& feature) { return {feature.artefact, feature.placement}; }
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::vector<Block> placed_blocks(const Constraints& constraints, std::vector<std
     }
     std::map<Placement, std::vector<int>> features;
     for (const int f : block.features) {
-      features[place_of(constraints.features[f])].push_back(f);
+      features[placement_of(constraints.features[f])].push_back(f);
     }
     for (auto& [place, own] : features) {
       Block& part = all.emplace_back(block);

@@ -12,10 +12,10 @@ namespace artcal {
 namespace {
 
 constexpr int leading_rounds = 4;  // of Huber's loss
-constexpr int max_rounds = 60;
+constexpr int max_reweightings = 60;
 constexpr double tolerance = 1e-3;  // change of the weights, between 0 and 1, and relative of the noise
 constexpr double weights_tolerance = 0.05;
-constexpr double least_noise = 1e-9;  // mm
+constexpr double least_scale = 1e-9;  // mm
 
 double largest_change(const std::vector<double>& from, const std::vector<double>& to) {
   double largest = 0.0;
@@ -53,12 +53,12 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
   double sigma = typical_noise(fit.weights);
   double change = 1.0;
   bool converged = true;
-  for (int round = 0; round < max_rounds; ++round) {
+  for (int round = 0; round < max_reweightings; ++round) {
     const Redundancy redundancy =
         redundancy_of(system, fit.weights, fit.loss_weights, fit.linearisation, fit.arm, fit.unknowns);
     double noise_change = 0.0;
     if (!noise.is_given()) {
-      const double better = std::max(least_noise, sigma * median_noise_factor(fit.residuals, redundancy));
+      const double better = std::max(least_scale, sigma * median_noise_factor(fit.residuals, redundancy));
       noise_change = std::abs(better / sigma - 1.0);
       sigma = better;
       fit.weights = uniform_weights(constraints, sigma);
@@ -84,7 +84,7 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
     return no_solution(
         fmt::format("the weights of the robust loss did not converge in {} rounds: too many readings or certificates "
                     "contradict each other to say which are right",
-                    max_rounds));
+                    max_reweightings));
   }
   const Redundancy redundancy =
       redundancy_of(system, fit.weights, fit.loss_weights, fit.linearisation, fit.arm, fit.unknowns);

@@ -8,12 +8,12 @@ namespace artcal {
 namespace {
 
 // Below this an observation is adapted to, and its residual is rounding.
-constexpr double least_variance = 1e-10;
+constexpr double least_variance_of_a_row = 1e-10;
 
 std::vector<double> variances_of(const std::vector<Check>& checks) {
   std::vector<double> variances;
   for (const Check& check : checks) {
-    variances.push_back(check.variance > least_variance ? check.variance : 0.0);
+    variances.push_back(check.variance > least_variance_of_a_row ? check.variance : 0.0);
   }
   return variances;
 }
@@ -43,7 +43,7 @@ double median_noise_factor(const WhitenedResiduals& residuals, const Redundancy&
     const std::size_t dimension = checks.empty() ? 1 : residuals.readings[f].size() / checks.size();
     for (std::size_t k = 0; k < checks.size(); ++k) {
       const Check& check = checks[k];
-      if (check.variance <= least_variance) {
+      if (check.variance <= least_variance_of_a_row) {
         continue;
       }
       auto [middle, is_new] = medians.try_emplace(std::round(20.0 * check.freedom) / 20.0, 0.0);

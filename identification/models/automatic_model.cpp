@@ -16,13 +16,14 @@ namespace artcal {
 namespace {
 
 // Chance that a step takes any group where none improves anything.
-constexpr double false_alarms = 0.05;
+constexpr double false_alarms_of_a_step = 0.05;
 constexpr std::size_t min_placements = 3;
 
 // How many standard errors an improvement must be, one-sided, among `groups` tried (Bonferroni).
 double limit_of(std::size_t placements, std::size_t groups) {
   const boost::math::students_t distribution(static_cast<double>(placements) - 1.0);
-  return boost::math::quantile(boost::math::complement(distribution, false_alarms / static_cast<double>(groups)));
+  return boost::math::quantile(
+      boost::math::complement(distribution, false_alarms_of_a_step / static_cast<double>(groups)));
 }
 
 /// How an arm does on a placement that its identification has not seen.

@@ -1,5 +1,7 @@
 #include "identification/monte_carlo/arrow_factor.h"
 
+#include "core/triangular_solve.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -63,18 +65,18 @@ ArrowFactor::Step solve_arrow(const StateLayout& layout, const std::vector<const
   auto arm = y.tail(layout.size - layout.arm);
   for (const EliminatedRows* each : rows) {
     Eigen::VectorXd own = y(each->columns);
-    each->own.transpose().triangularView<Eigen::Lower>().solveInPlace(own);
+    solve_upper_transposed(each->own, own);
     y(each->columns) = own;
     y(each->rest) -= each->by_rest.transpose() * own;
     arm.noalias() -= each->by_trailing.transpose() * own;
   }
-  arm_triangle.transpose().triangularView<Eigen::Lower>().solveInPlace(arm);
+  solve_upper_transposed(arm_triangle, arm);
   step.length = y.norm();
-  arm_triangle.triangularView<Eigen::Upper>().solveInPlace(arm);
+  solve_upper(arm_triangle, arm);
   for (auto each = rows.rbegin(); each != rows.rend(); ++each) {
     const EliminatedRows& part = **each;
     Eigen::VectorXd own = y(part.columns) - part.by_rest * y(part.rest) - part.by_trailing * arm;
-    part.own.triangularView<Eigen::Upper>().solveInPlace(own);
+    solve_upper(part.own, own);
     y(part.columns) = own;
   }
   return step;
@@ -86,7 +88,7 @@ ArrowFactor::Step solve_arrow(const StateLayout& layout, const std::vector<const
 Eigen::VectorXd ArrowFactor::parameter_variances() const {
   const Eigen::Index arm_size = layout_.size - layout_.arm;
   Eigen::MatrixXd of_arm = Eigen::MatrixXd::Identity(arm_size, arm_size);
-  arm_.triangularView<Eigen::Upper>().solveInPlace(of_arm);
+  solve_upper(arm_, of_arm);
   Eigen::VectorXd variances = Eigen::VectorXd::Zero(layout_.arm - layout_.common);
   std::vector<Eigen::Index> row_of(static_cast<std::size_t>(layout_.size));
   Eigen::MatrixXd interface;  // by the w of the interface, then of the arm
@@ -100,7 +102,7 @@ Eigen::VectorXd ArrowFactor::parameter_variances() const {
       combination.rightCols(of_interface + arm_size).noalias() -=
           rows->by_rest.col(static_cast<Eigen::Index>(i)) * interface.row(row_of[rows->rest[i]]);
     }
-    rows->own.triangularView<Eigen::Upper>().solveInPlace(combination);
+    solve_upper(rows->own, combination);
     for (Eigen::Index i = 0; i < size; ++i) {
       row_of[rows->columns[i]] = i;
       if (const Eigen::Index s = rows->columns[i] - layout_.common; s >= 0) {
@@ -166,14 +168,14 @@ Eigen::MatrixXd ArrowFactor::half_solved(const Block& block, const Eigen::Ref<co
   for (const int index : reached) {
     const EliminatedRows& part = eliminated_[index];
     auto own = y.middleRows(first, part.own.cols());
-    part.own.transpose().triangularView<Eigen::Lower>().solveInPlace(own);
+    solve_upper_transposed(part.own, own);
     for (std::size_t i = 0; i < part.rest.size(); ++i) {
       y.row(at.at(part.rest[i])) -= part.by_rest.col(static_cast<Eigen::Index>(i)).transpose() * own;
     }
     arm.noalias() -= part.by_trailing.transpose() * own;
     first += part.own.cols();
   }
-  arm_.transpose().triangularView<Eigen::Lower>().solveInPlace(arm);
+  solve_upper_transposed(arm_, arm);
   return y;
 }
 
@@ -182,7 +184,7 @@ Eigen::MatrixXd ArrowFactor::fully_solved(const Block& block, const Eigen::Matri
   const Eigen::Index arm_size = layout_.size - layout_.arm;
   Eigen::MatrixXd x = half;
   auto arm = x.bottomRows(arm_size);
-  arm_.triangularView<Eigen::Upper>().solveInPlace(arm);
+  solve_upper(arm_, arm);
   std::map<Eigen::Index, Eigen::Index> at;
   Eigen::Index end = x.rows() - arm_size;
   for (auto index = reached.rbegin(); index != reached.rend(); ++index) {
@@ -192,7 +194,7 @@ Eigen::MatrixXd ArrowFactor::fully_solved(const Block& block, const Eigen::Matri
     for (std::size_t i = 0; i < rows.rest.size(); ++i) {
       own.noalias() -= rows.by_rest.col(static_cast<Eigen::Index>(i)) * x.row(at.at(rows.rest[i]));
     }
-    rows.own.triangularView<Eigen::Upper>().solveInPlace(own);
+    solve_upper(rows.own, own);
     end -= rows.own.cols();
     for (std::size_t i = 0; i < rows.columns.size(); ++i) {
       at[rows.columns[i]] = end + static_cast<Eigen::Index>(i);

@@ -8,8 +8,8 @@
 namespace artcal {
 namespace {
 
-constexpr double unit = 0x1.0p32;      // deviations are summed in 2⁻³² of a scale
-constexpr double farthest = 0x1.0p16;  // scales: what is further off counts as this far
+constexpr double unit = 0x1.0p32;             // deviations are summed in 2⁻³² of a scale
+constexpr double farthest_scales = 0x1.0p16;  // scales: what is further off counts as this far
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Distribution::Distribution(Contents contents)
 }
 
 void Distribution::add(double value) {
-  const double scaled = std::clamp((value - ruler_.centre) / ruler_.scale, -farthest, farthest);
+  const double scaled = std::clamp((value - ruler_.centre) / ruler_.scale, -farthest_scales, farthest_scales);
   ++count_;
   const auto rounded = static_cast<Sum>(std::llrint(scaled * unit));
   sum_ += rounded;

@@ -5,7 +5,7 @@
 namespace artcal {
 namespace {
 
-constexpr int readings_at_once = 32;
+constexpr int readings_in_step = 32;
 
 // Each reading's residuals by the slope of the loss.
 void reweight(Loss loss, int dimension, const FeatureWeights& weights, int reading,
@@ -19,12 +19,12 @@ void reweight(Loss loss, int dimension, const FeatureWeights& weights, int readi
 }  // namespace
 
 GradientScratch gradient_scratch(const System& system) {
-  GradientScratch scratch{blocks_of(*system.constraints), {}, Eigen::VectorXd(3 * readings_at_once)};
+  GradientScratch scratch{blocks_of(*system.constraints), {}, Eigen::VectorXd(3 * readings_in_step)};
   int columns = 0;
   for (const Block& block : scratch.blocks) {
     columns = std::max(columns, block.nuisance() + system.arm_size() + 1);
   }
-  scratch.rows.resize(3 * readings_at_once, columns);
+  scratch.rows.resize(3 * readings_in_step, columns);
   return scratch;
 }
 
@@ -45,13 +45,13 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
     auto by_parameters = sum.segment(layout.common + block.parameters.first, block.parameters.size);
     const int before_arm = block.nuisance();
     const int columns = before_arm + system.arm_size() + 1;
-    Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_at_once, columns);
+    Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_in_step, columns);
     for (const int f : block.features) {
       const FeatureConstraint& feature = constraints.features[f];
       const FeatureResidual residual(feature, reference, values, shared);
       rows.leftCols(before_arm).setZero();  // each feature fills its own columns only
-      for (int first = 0; first < feature.size(); first += readings_at_once) {
-        const int count = std::min(readings_at_once, feature.size() - first);
+      for (int first = 0; first < feature.size(); first += readings_in_step) {
+        const int count = std::min(readings_in_step, feature.size() - first);
         const Eigen::Index used = count * feature.dimension();
         weighted_rows(
             system, feature, weights.features[f], kinematics_by_probe, residual, first, count,

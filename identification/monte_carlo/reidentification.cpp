@@ -10,7 +10,7 @@ namespace {
 // deviation, or where a step is below what coordinates of a metre can show.
 constexpr double still = 1e-5;
 constexpr double nothing = 1e-10;  // mm, physical units
-constexpr int max_steps = 40;
+constexpr int max_steps_of_a_trial = 40;
 // A step against the one before: longer, and the matrix is made anew.
 constexpr double short_enough = 0.3;
 
@@ -43,7 +43,7 @@ Reidentification::Answer Reidentification::solve(const System& drawn, Scratch& s
   std::optional<ArrowFactor> nearer;
   double last = 0.0;
   bool shrinks = false;
-  while (answer.steps < max_steps) {
+  while (answer.steps < max_steps_of_a_trial) {
     ArrowFactor::Step step;
     if (answer.steps > 0 && !shrinks) {
       const Linearisation here = linearise(drawn, fit_->weights, options_.loss,

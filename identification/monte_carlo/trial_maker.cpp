@@ -9,7 +9,7 @@
 namespace artcal {
 namespace {
 
-constexpr double least_noise = 1e-8;  // mm; readings that agree better were not taken by an arm
+constexpr double least_noise_of_an_arm = 1e-8;  // mm; readings that agree better were not taken by an arm
 
 Noise noise_in_use(const IdentifyOptions& options, const Identification& identification) {
   Noise noise = options.noise;
@@ -39,7 +39,7 @@ Expected<std::unique_ptr<TrialMaker>> TrialMaker::prepare(const Recording& recor
                                                           const Identification& identification,
                                                           const MonteCarloOptions& monte_carlo) {
   const Noise noise = noise_in_use(options, identification);
-  if (noise.reading.value_or(1.0) < least_noise) {
+  if (noise.reading.value_or(1.0) < least_noise_of_an_arm) {
     return no_solution(
         "the readings agree to the last digits, so that there is no noise to draw from; state one, such as --noise "
         "\"15 um\"");

@@ -64,9 +64,9 @@ Recording screened_part(const Recording& recording) {
 }
 
 /// The search for the assignment that leads to the best arm.
-class Search {
+class ReportedSearch {
  public:
-  Search(const Recording& recording, const ReportedModelOptions& options)
+  ReportedSearch(const Recording& recording, const ReportedModelOptions& options)
       : recording_(recording), part_(screened_part(recording)), options_(options) {
     options_.identify.leave_out = false;
   }
@@ -186,7 +186,7 @@ Expected<ReportedModel> identify_reported_model(const Recording& recording, cons
   if (!referenced) {
     return tl::unexpected(referenced.error());
   }
-  Search search(*referenced, options);
+  ReportedSearch search(*referenced, options);
   search.try_likely(false);
   if (!search.found()) {
     search.try_likely(true);

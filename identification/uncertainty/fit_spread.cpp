@@ -1,5 +1,7 @@
 #include "identification/uncertainty/fit_spread.h"
 
+#include "core/triangular_solve.h"
+
 #include <map>
 
 namespace artcal {
@@ -71,7 +73,7 @@ FitSpread::FitSpread(const ArrowFactor& factor, const Linearisation& squared, in
       const Eigen::MatrixXd others =
           beside(reordered(of_squared[i].by_rest, of_squared[i].rest, shared), of_squared[i].by_trailing);
       Eigen::MatrixXd follow = beside(reordered(fitted[i].by_rest, fitted[i].rest, shared), fitted[i].by_trailing);
-      fitted[i].own.triangularView<Eigen::Upper>().solveInPlace(follow);
+      solve_upper(fitted[i].own, follow);
       part.rows = beside(own, others);
       part.following_rows = others - own * follow;
     } else {

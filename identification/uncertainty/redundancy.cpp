@@ -10,7 +10,7 @@
 namespace artcal {
 namespace {
 
-constexpr int readings_at_once = 64;
+constexpr int readings_of_a_block = 64;
 
 bool all_count(const LossWeights& weights) {
   const auto is_one = [](double weight) { return weight == 1.0; };
@@ -137,13 +137,13 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
     const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
     const int before_arm = block.nuisance();
     const int columns = before_arm + system.arm_size() + 1;
-    RowMatrix rows(3 * readings_at_once, columns);
+    RowMatrix rows(3 * readings_of_a_block, columns);
     for (const int f : block.features) {
       const FeatureConstraint& feature = constraints.features[f];
       const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
       rows.leftCols(before_arm).setZero();
-      for (int first = 0; first < feature.size(); first += readings_at_once) {
-        const int count = std::min(readings_at_once, feature.size() - first);
+      for (int first = 0; first < feature.size(); first += readings_of_a_block) {
+        const int count = std::min(readings_of_a_block, feature.size() - first);
         weighted_rows(
             system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
             {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,

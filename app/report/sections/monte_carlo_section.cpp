@@ -65,7 +65,7 @@ void write_sampled_parameters(const Json& quantities, Sheet& sheet) {
 }
 
 /// Several quantities of one kind in one row.
-struct Family {
+struct ShownFamily {
   std::string name;
   std::size_t count = 0;
   double first_order = 0.0, monte_carlo = 0.0;  // sums of squares
@@ -73,16 +73,16 @@ struct Family {
   bool is_linear = true, differs = false;
 };
 
-std::vector<Family> families_of(const Json& quantities) {
-  std::vector<Family> families;
+std::vector<ShownFamily> families_of(const Json& quantities) {
+  std::vector<ShownFamily> families;
   for (const Json& quantity : quantities) {
     const std::string name = measurand_family(quantity.at("kind"), quantity.at("name"));
     if (name.empty()) {
       continue;
     }
-    auto family = std::find_if(families.begin(), families.end(), [&](const Family& f) { return f.name == name; });
+    auto family = std::find_if(families.begin(), families.end(), [&](const ShownFamily& f) { return f.name == name; });
     if (family == families.end()) {
-      family = families.insert(families.end(), Family{name});
+      family = families.insert(families.end(), ShownFamily{name});
     }
     ++family->count;
     family->is_linear = family->is_linear && !quantity.at("u_first_order").is_null();
@@ -104,7 +104,7 @@ void write_measurands(const Json& quantities, Sheet& sheet) {
                      {"u, Monte Carlo", true, false, false, false, true},
                      {"widest 95 % interval"},
                      {"", false}});
-  for (const Family& family : families_of(quantities)) {
+  for (const ShownFamily& family : families_of(quantities)) {
     const auto rms = [&](double squares) {
       return fmt::format("{:.2f}", std::sqrt(squares / static_cast<double>(family.count)) / units::micrometre);
     };

@@ -10,7 +10,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::size_t max_outliers = 10;
+constexpr std::size_t max_points_listed = 10;
 
 std::string title(const FitReport& report) {
   const FitRequest& request = report.request;
@@ -92,11 +92,11 @@ std::string outliers_text(const FeatureFit& fit) {
   }
   std::string text =
       fmt::format("Left out as outliers: {} of {} points\n", fit.outliers.size(), fit.outliers.size() + fit.points);
-  for (std::size_t i = 0; i < std::min(max_outliers, fit.outliers.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_points_listed, fit.outliers.size()); ++i) {
     text += fmt::format("  row {}: {:+.5f} mm\n", fit.outliers[i].row, fit.outliers[i].mm);
   }
-  if (fit.outliers.size() > max_outliers) {
-    text += fmt::format("  and {} more, all in the JSON result\n", fit.outliers.size() - max_outliers);
+  if (fit.outliers.size() > max_points_listed) {
+    text += fmt::format("  and {} more, all in the JSON result\n", fit.outliers.size() - max_points_listed);
   }
   return text + "\n";
 }

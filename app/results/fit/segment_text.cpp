@@ -6,6 +6,7 @@
 
 #include "app/output/table.h"
 #include "app/results/fit/segment_result.h"
+#include "app/results/shown_text.h"
 #include "core/text/in_quotes.h"
 #include "core/text/point_text.h"
 
@@ -16,8 +17,6 @@ constexpr std::size_t max_distances = 12;
 constexpr std::size_t max_rejected = 12;
 constexpr std::size_t max_ways = 8;
 
-std::string shown(const std::string& name) { return truncated(60, name); }
-std::string mm(double value) { return fmt::format("{:.4f}", value); }
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 // In the scan's unit, to a hundredth of the smallest radius: near enough to be handed to --place.
@@ -32,9 +31,9 @@ std::string spheres_table(const SegmentResult& result) {
   for (std::size_t i = 0; i < result.segmentation.spheres.size(); ++i) {
     if (const auto& sphere = result.segmentation.spheres[i]) {
       const Eigen::Vector3d& c = sphere->fitted.feature.centre;
-      table.add({shown(sphere_name(result, i)), mm(c.x()), mm(c.y()), mm(c.z()), mm(sphere->seen_radius),
-                 fmt::format("{}", sphere->points.size()), percent(sphere->coverage), mm(sphere->fitted.rms),
-                 mm(sphere->fitted.form)});
+      table.add({shown_name(sphere_name(result, i)), mm_text(c.x()), mm_text(c.y()), mm_text(c.z()),
+                 mm_text(sphere->seen_radius), fmt::format("{}", sphere->points.size()), percent(sphere->coverage),
+                 mm_text(sphere->fitted.rms), mm_text(sphere->fitted.form)});
     }
   }
   return table.text();
@@ -45,10 +44,10 @@ std::string planes_table(const SegmentResult& result) {
   for (std::size_t i = 0; i < result.segmentation.planes.size(); ++i) {
     const FoundPlane& plane = result.segmentation.planes[i];
     const Plane& p = plane.fitted.feature;
-    table.add({shown(plane_name(result, i)), mm(p.point.x()), mm(p.point.y()), mm(p.point.z()),
+    table.add({shown_name(plane_name(result, i)), mm_text(p.point.x()), mm_text(p.point.y()), mm_text(p.point.z()),
                fmt::format("{:.6f}", p.normal.x()), fmt::format("{:.6f}", p.normal.y()),
-               fmt::format("{:.6f}", p.normal.z()), fmt::format("{}", plane.points.size()), mm(plane.fitted.rms),
-               mm(plane.fitted.form)});
+               fmt::format("{:.6f}", p.normal.z()), fmt::format("{}", plane.points.size()), mm_text(plane.fitted.rms),
+               mm_text(plane.fitted.form)});
   }
   return table.text();
 }
@@ -64,10 +63,10 @@ std::string distances_table(const SegmentResult& result) {
   Table table({"distance", "certified", "at, degC", "at temperature", "in the scan", "error"});
   for (std::size_t i = 0; i < std::min(distances.size(), max_distances); ++i) {
     const SeenDistance& d = distances[i];
-    table.add({fmt::format("{} - {}", shown(sphere_name(result, static_cast<std::size_t>(d.first))),
-                           shown(sphere_name(result, static_cast<std::size_t>(d.second)))),
-               mm(d.certified.value), fmt::format("{:.4g}", d.certified.temperature), mm(d.at_temperature),
-               mm(d.measured), fmt::format("{:+.4f}", d.measured - d.at_temperature)});
+    table.add({fmt::format("{} - {}", shown_name(sphere_name(result, static_cast<std::size_t>(d.first))),
+                           shown_name(sphere_name(result, static_cast<std::size_t>(d.second)))),
+               mm_text(d.certified.value), fmt::format("{:.4g}", d.certified.temperature), mm_text(d.at_temperature),
+               mm_text(d.measured), fmt::format("{:+.4f}", d.measured - d.at_temperature)});
   }
   const std::string more = distances.size() > max_distances
                                ? fmt::format("  ({} more, all nearer)\n", distances.size() - max_distances)
@@ -97,7 +96,7 @@ std::string ways_text(const SegmentResult& result) {
       if (ways[i].found[k] >= 0) {
         const auto& sphere = result.segmentation.spheres[static_cast<std::size_t>(ways[i].found[k])];
         names.push_back(
-            fmt::format("{} at {}", shown(sphere_name(result, k)), place(result, sphere->fitted.feature.centre)));
+            fmt::format("{} at {}", shown_name(sphere_name(result, k)), place(result, sphere->fitted.feature.centre)));
       }
     }
     texts.push_back(fmt::format("{} (distances within {:.2g} mm)", fmt::join(names, ", "), ways[i].worst));
@@ -135,7 +134,7 @@ std::string unmet_text(const SegmentResult& result) {
 }  // namespace
 
 std::string to_text(const SegmentResult& result) {
-  std::string text = fmt::format("{} in {}\n{} points in {}, x, y, z from {}\n\n", shown(result.artefact.name),
+  std::string text = fmt::format("{} in {}\n{} points in {}, x, y, z from {}\n\n", shown_name(result.artefact.name),
                                  truncated(80, result.inputs.front().path), result.points, result.unit, result.columns);
   if (!result.wanted.spheres.empty()) {
     text += spheres_table(result);

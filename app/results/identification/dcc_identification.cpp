@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "app/results/artefact_summary.h"
+#include "app/results/dcc_terms.h"
 #include "app/version.h"
 #include "identification/identifiability/unidentifiable_text.h"
 
 namespace artcal {
 namespace {
 
-constexpr double probability = 0.95;
-constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* radian = "\\radian";
 
 const char* unit_of(const IdentifiedParameter& parameter) {
@@ -22,12 +21,12 @@ const char* unit_of(const IdentifiedParameter& parameter) {
     case ParameterKind::Coupling: return "\\one";
     case ParameterKind::Compliance: return "\\radian\\newton\\tothe{-1}\\milli\\metre\\tothe{-1}";
     case ParameterKind::Expansion: return "\\kelvin\\tothe{-1}";
-    default: return parameter.parameter.is_angle() ? radian : millimetre;
+    default: return parameter.parameter.is_angle() ? radian : dcc_millimetre;
   }
 }
 
 DccEntry plain_entry(const std::string& name, double value) {
-  return {name, "", millimetre, value, std::nullopt, std::nullopt, ""};
+  return {name, "", dcc_millimetre, value, std::nullopt, std::nullopt, ""};
 }
 
 DccResult identified_parameters(const Identification& result) {
@@ -40,7 +39,7 @@ DccResult identified_parameters(const Identification& result) {
   for (const IdentifiedParameter& p : result.parameters) {
     if (p.state == ParameterState::Identified || p.state == ParameterState::Weak) {
       section.entries.push_back({p.parameter.name, "artcal_parameterIdentified", unit_of(p), p.identified,
-                                 DccUncertainty{p.coverage_factor() * p.u, p.coverage_factor(), probability},
+                                 DccUncertainty{p.coverage_factor() * p.u, p.coverage_factor(), dcc_probability},
                                  std::nullopt, ""});
     }
   }

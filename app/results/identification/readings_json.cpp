@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "acquisition/arm/forward_kinematics.h"
+#include "app/output/json_list.h"
 
 namespace artcal {
 namespace {
@@ -22,8 +23,6 @@ Json column_json(const std::vector<Eigen::Vector3d>& vectors, int axis) {
 Json columns_json(const std::vector<Eigen::Vector3d>& vectors) {
   return {column_json(vectors, 0), column_json(vectors, 1), column_json(vectors, 2)};
 }
-
-Json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
 // Along each joint's axis by d, then to the next one.
 Json path_of(const Arm& arm, const Eigen::VectorXd& q, int probe) {

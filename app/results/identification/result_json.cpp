@@ -4,8 +4,8 @@
 
 #include "app/output/json_list.h"
 #include "app/results/artefact_summary.h"
+#include "app/results/evaluation/evaluation_json.h"
 #include "app/results/identification/coupling_json.h"
-#include "app/results/identification/evaluation_json.h"
 #include "app/results/identification/model_json.h"
 #include "app/results/identification/readings_json.h"
 #include "app/results/result_head.h"
@@ -25,8 +25,6 @@ const char* name_of(ArtefactParameter::Quantity quantity) {
   }
   return "radius";
 }
-
-const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
 
 Json parameters_json(const Identification& result) {
   Json json = Json::array();
@@ -136,7 +134,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
   Json json = result_header(recording, "identification", std::nullopt);
   json["options"] = {{"hold", options.hold},
                      {"free", options.free},
-                     {"loss", name_of(options.loss)},
+                     {"loss", result_name(options.loss)},
                      {"leave_out", options.leave_out}};
   json["counts"] = {{"readings", recording.readings.size()},
                     {"features", constraints.features.size()},

@@ -10,6 +10,7 @@
 #include "app/results/artefact_summary.h"
 #include "app/results/hayati_angles.h"
 #include "app/results/identification/coupling_text.h"
+#include "app/results/shown_text.h"
 #include "app/results/shown_unit.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
@@ -19,13 +20,6 @@ namespace {
 
 constexpr std::size_t max_outliers = 10;
 constexpr std::size_t max_lengths = 12;
-
-// A value that there is none of, such as a deviation by a nominal arm that cannot be evaluated, is NaN.
-std::string mm(double value) { return std::isfinite(value) ? fmt::format("{:.4f}", value) : "-"; }
-std::string signed_mm(double value) { return std::isfinite(value) ? fmt::format("{:+.4f}", value) : "-"; }
-
-// Names come from files and may be longer than a screen is wide.
-std::string shown(const std::string& name) { return truncated(60, name); }
 
 const LengthDeviation* worst(const std::vector<LengthDeviation>& lengths) {
   const auto found = std::max_element(lengths.begin(), lengths.end(), [](const auto& a, const auto& b) {
@@ -54,7 +48,7 @@ Unseen unseen_of(const std::vector<LeftOut>& left_out) {
 }
 
 std::string title_text(const Recording& recording, const Constraints& constraints, const Identification& result) {
-  return fmt::format("{}\narm {}: {}, {}, {}\n{}\n", shown(recording.name), in_quotes(recording.arm.name),
+  return fmt::format("{}\narm {}: {}, {}, {}\n{}\n", shown_name(recording.name), in_quotes(recording.arm.name),
                      plural(recording.readings.size(), "reading"), plural(constraints.features.size(), "feature"),
                      plural(result.after.placements.size(), "placement"), artefacts_text(constraints.artefacts));
 }
@@ -64,15 +58,15 @@ std::string summary_text(const Identification& result) {
   const bool left_out = unseen.overall.readings > 0;
   Table table({"deviation of the readings, mm", "before", "after", left_out ? "cross-val." : ""});
   const auto row = [&](const std::string& name, double before, double after, double left) {
-    table.add({name, mm(before), mm(after), left_out ? mm(left) : ""});
+    table.add({name, mm_text(before), mm_text(after), left_out ? mm_text(left) : ""});
   };
   row("rms", result.before.overall.rms, result.after.overall.rms, unseen.overall.rms);
   row("largest", result.before.overall.maximum, result.after.overall.maximum, unseen.overall.maximum);
   if (const auto* before = worst(result.before.lengths)) {
     const auto* after = worst(result.after.lengths);
     const auto* left = worst(unseen.lengths);
-    table.add({"worst certified length, error", signed_mm(before->error), signed_mm(after->error),
-               left != nullptr ? signed_mm(left->error) : ""});
+    table.add({"worst certified length, error", signed_mm_text(before->error), signed_mm_text(after->error),
+               left != nullptr ? signed_mm_text(left->error) : ""});
   }
   std::string text = table.text();
   if (left_out) {
@@ -117,7 +111,7 @@ std::string model_tried_text(const Identification& result) {
       continue;
     }
     const bool start = trial.verdict == Verdict::Start;
-    table.add({name, fmt::format("{}", trial.parameters), mm(trial.left_out_rms),
+    table.add({name, fmt::format("{}", trial.parameters), mm_text(trial.left_out_rms),
                start ? "" : percent(trial.improvement), start ? "" : percent(trial.improvement_noise),
                start ? "" : percent(trial.limit * trial.improvement_noise),
                trial.verdict == Verdict::Taken   ? "taken"
@@ -140,16 +134,17 @@ std::string placements_text(const Identification& result) {
       return out.deviation.name.artefact == after.name.artefact && out.deviation.name.placement == after.name.placement;
     });
     const std::string left_rms = left == result.left_out.end() ? ""
-                                 : left->refusal.empty()       ? mm(left->deviation.rms)
+                                 : left->refusal.empty()       ? mm_text(left->deviation.rms)
                                                                : "not possible";
-    table.add({several_artefacts ? shown(after.name.artefact) + ", " + shown(after.name.placement)
-                                 : shown(after.name.placement),
-               fmt::format("{}", after.readings), mm(result.before.placements[i].rms), mm(after.rms), left_rms});
+    table.add({several_artefacts ? shown_name(after.name.artefact) + ", " + shown_name(after.name.placement)
+                                 : shown_name(after.name.placement),
+               fmt::format("{}", after.readings), mm_text(result.before.placements[i].rms), mm_text(after.rms),
+               left_rms});
   }
   std::string text = table.text() + "\n";
   for (const LeftOut& left : result.left_out) {
     if (!left.refusal.empty()) {
-      text += fmt::format("  without placement {}: {}\n\n", shown(left.deviation.name.placement), left.refusal);
+      text += fmt::format("  without placement {}: {}\n\n", shown_name(left.deviation.name.placement), left.refusal);
     }
   }
   return text;
@@ -168,11 +163,11 @@ std::string lengths_text(const Identification& result) {
       return other.first.artefact == length.first.artefact && other.first.placement == length.first.placement &&
              other.first.feature == length.first.feature && other.second == length.second;
     });
-    table.add(
-        {fmt::format("{} {} - {}", shown(length.first.placement), shown(length.first.feature), shown(length.second)),
-         mm(length.certified.value), fmt::format("{:.4g}", length.certified.temperature), mm(length.at_temperature),
-         signed_mm(result.before.lengths[i].error), signed_mm(length.error),
-         same == left.end() ? "" : signed_mm(same->error)});
+    table.add({fmt::format("{} {} - {}", shown_name(length.first.placement), shown_name(length.first.feature),
+                           shown_name(length.second)),
+               mm_text(length.certified.value), fmt::format("{:.4g}", length.certified.temperature),
+               mm_text(length.at_temperature), signed_mm_text(result.before.lengths[i].error),
+               signed_mm_text(length.error), same == left.end() ? "" : signed_mm_text(same->error)});
   }
   return table.text() + "\n";
 }
@@ -205,8 +200,9 @@ std::string artefacts_text(const Identification& result) {
     if ((value.certified && !contradicted) || rows++ >= max_lengths) {
       continue;
     }
-    table.add({fmt::format("{}, {}", shown(value.artefact), shown(value.feature)), quantity,
-               value.certified ? mm(*value.certified) : "not", mm(value.found), fmt::format("{:.2g}", value.u)});
+    table.add({fmt::format("{}, {}", shown_name(value.artefact), shown_name(value.feature)), quantity,
+               value.certified ? mm_text(*value.certified) : "not", mm_text(value.found),
+               fmt::format("{:.2g}", value.u)});
   }
   if (rows == 0) {
     return {};
@@ -226,7 +222,7 @@ std::string influences_text(const Identification& result) {
   }
   Table table({"artefact", "share in the arm", "readings", "mean weight", "certified values", "mean weight"});
   for (const ArtefactInfluence& influence : result.influences) {
-    table.add({shown(influence.artefact), fmt::format("{:.1f} %", 100.0 * influence.share),
+    table.add({shown_name(influence.artefact), fmt::format("{:.1f} %", 100.0 * influence.share),
                fmt::format("{}", influence.readings), fmt::format("{:.2f}", influence.readings_weight),
                fmt::format("{}", influence.certificates),
                influence.certificates > 0 ? fmt::format("{:.2f}", influence.certificates_weight) : ""});
@@ -282,14 +278,15 @@ std::string outliers_text(const Recording& recording, const Identification& resu
   return outlier_lines(result.certificate_outliers, "certified value",
                        [](const CertificateOutlier& outlier) {
                          return fmt::format(
-                             "{}{}: {} {} mm, {} mm off", shown(outlier.name.artefact),
-                             outlier.quantity ? "" : fmt::format(", placement {}", shown(outlier.name.placement)),
-                             truncated(140, quantity_text(outlier)), mm(outlier.certified),
-                             signed_mm(-outlier.deviation));
+                             "{}{}: {} {} mm, {} mm off", shown_name(outlier.name.artefact),
+                             outlier.quantity ? "" : fmt::format(", placement {}", shown_name(outlier.name.placement)),
+                             truncated(140, quantity_text(outlier)), mm_text(outlier.certified),
+                             signed_mm_text(-outlier.deviation));
                        }) +
          outlier_lines(result.outliers, "reading", [&](const Outlier& outlier) {
            return fmt::format("{}: placement {}, feature {}, {} mm", truncated(200, recording.where(outlier.reading)),
-                              shown(outlier.name.placement), shown(outlier.name.feature), signed_mm(outlier.deviation));
+                              shown_name(outlier.name.placement), shown_name(outlier.name.feature),
+                              signed_mm_text(outlier.deviation));
          });
 }
 

@@ -10,6 +10,7 @@
 #include "app/output/table.h"
 #include "app/results/identification/result_json.h"
 #include "app/results/result_head.h"
+#include "app/results/result_names.h"
 #include "app/results/shown_unit.h"
 #include "app/results/uncertainty/measurand_family.h"
 #include "app/results/uncertainty/uncertainty_result.h"
@@ -33,8 +34,6 @@ const char* name_of(Measurand::Kind kind) {
   }
   return "L_Dia";
 }
-
-const char* name_of(Loss loss) { return loss == Loss::Huber ? "huber" : loss == Loss::Cauchy ? "cauchy" : "none"; }
 
 Json interval_json(const std::optional<Interval>& interval) {
   return interval ? Json{interval->low, interval->high} : Json(nullptr);
@@ -152,7 +151,7 @@ Json made_from_json(const Recording& recording, const IdentifyOptions& options, 
   json["hold"] = options.hold;
   json["free"] = options.free;
   json["model"] = model_text(identification.model);
-  json["loss"] = name_of(options.loss);
+  json["loss"] = result_name(options.loss);
   json["noise"] = noise_json(options.noise);
   json["u_temperature_K"] = monte_carlo.u_temperature;
   json["u_arm_temperature_K"] = monte_carlo.u_arm_temperature;
@@ -170,7 +169,7 @@ Json to_json(const MonteCarloResult& result) {
   json["options"] = {{"hold", result.options.hold},
                      {"free", result.options.free},
                      {"model", result.options.automatic ? "auto" : model_text(result.options.model)},
-                     {"loss", name_of(result.options.loss)},
+                     {"loss", result_name(result.options.loss)},
                      {"noise", noise_json(result.options.noise)},
                      {"u_temperature_K", result.monte_carlo.u_temperature},
                      {"u_arm_temperature_K", result.monte_carlo.u_arm_temperature},

@@ -10,12 +10,13 @@
 #include "app/output/output.h"
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
+#include "core/text/digits.h"
 
 namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr const char* schema = "artcal-monte-carlo/1";
+constexpr const char* state_schema = "artcal-monte-carlo/1";
 constexpr std::size_t max_digits = 39;  // of a 128-bit integer
 
 std::string decimal(Distribution::Sum number) {
@@ -39,8 +40,7 @@ std::optional<Distribution::Sum> integer_of(const Json& json) {
   const bool negative = digits.starts_with('-');
   digits.erase(0, negative ? 1 : 0);
   // One digit less than would fit: what is written never needs it.
-  if (digits.empty() || digits.size() >= max_digits ||
-      !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+  if (digits.empty() || digits.size() >= max_digits || !std::all_of(digits.begin(), digits.end(), is_digit)) {
     return std::nullopt;
   }
   Distribution::Sum number = 0;
@@ -133,7 +133,7 @@ std::optional<Distribution> distribution_of(const Json& json) {
 
 std::string state_text(const MonteCarloCount& count, const Json& made_from) {
   Json json;
-  json["schema"] = schema;
+  json["schema"] = state_schema;
   json["made_from"] = made_from;
   json["first"] = count.first;
   json["end"] = count.end;
@@ -151,13 +151,13 @@ Expected<MonteCarloCount> read_state(const std::string& path, const Json& made_f
   if (!file) {
     return tl::unexpected(file.error());
   }
-  const auto parsed = parse_json(file->text, fmt::format("state of a Monte Carlo (\"{}\")", schema), path);
+  const auto parsed = parse_json(file->text, fmt::format("state of a Monte Carlo (\"{}\")", state_schema), path);
   if (!parsed) {
     return tl::unexpected(parsed.error());
   }
   const Json& json = *parsed;
-  if (!json.is_object() || !json.contains("schema") || json.at("schema") != schema) {
-    return bad_input(fmt::format("this is no state of a Monte Carlo (\"{}\")", schema), path);
+  if (!json.is_object() || !json.contains("schema") || json.at("schema") != state_schema) {
+    return bad_input(fmt::format("this is no state of a Monte Carlo (\"{}\")", state_schema), path);
   }
   if (!json.contains("made_from") || json.at("made_from") != made_from) {
     return bad_input(

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "app/results/artefact_summary.h"
+#include "app/results/dcc_terms.h"
 #include "app/version.h"
 #include "core/statistics.h"
 
 namespace artcal {
 namespace {
 
-constexpr double probability = 0.95;
-constexpr const char* millimetre = "\\milli\\metre";
 constexpr const char* one = "\\one";
 
 // Of values whose degrees of freedom are many; of others it is stated_coverage_factor().
@@ -21,11 +20,11 @@ constexpr double k = 2.0;
 
 // A certificate states no uncertainty of zero: it means that none is known.
 std::optional<DccUncertainty> expanded(double u, double factor = k) {
-  return u > 0.0 ? std::optional(DccUncertainty{factor * u, factor, probability}) : std::nullopt;
+  return u > 0.0 ? std::optional(DccUncertainty{factor * u, factor, dcc_probability}) : std::nullopt;
 }
 
 DccEntry length_entry(const std::string& name, double value, double u = 0.0, double factor = k) {
-  return {name, "", millimetre, value, expanded(u, factor), std::nullopt, ""};
+  return {name, "", dcc_millimetre, value, expanded(u, factor), std::nullopt, ""};
 }
 
 std::optional<DccConformity> conformity_of(const TestValue& value) {

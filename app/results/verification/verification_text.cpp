@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/output/table.h"
+#include "app/results/shown_text.h"
 #include "app/results/shown_unit.h"
 #include "app/results/verification/standard_name.h"
 #include "app/results/verification/verification_run.h"
@@ -16,10 +17,10 @@
 namespace artcal {
 namespace {
 
+std::string short_name(const std::string& name) { return shown_name(name, 40); }
+
 constexpr std::size_t max_values = 12;  // of a quantity, unless more of them do not conform
 constexpr std::size_t max_balls = 150;  // of a plate
-
-std::string shown(const std::string& name) { return truncated(40, name); }
 
 // Ranges and diameters have no sign, errors do.
 std::string value_text(const TestValue& value) {
@@ -102,8 +103,8 @@ std::string title_text(const Session& session, const Verification& verification)
                              ? "coordinates as the arm's own software reported them"
                              : "coordinates from joint angles";
   return fmt::format("{}\narm {}: {} readings, {}\n\n{}{}: {}\n  specification: {}; decision rule: {}\n\n",
-                     shown(session.recording.name), in_quotes(session.arm.name), session.recording.readings.size(), by,
-                     list_text("Implausible values:", implausible(verification)),
+                     short_name(session.recording.name), in_quotes(session.arm.name), session.recording.readings.size(),
+                     by, list_text("Implausible values:", implausible(verification)),
                      standard_in_words(verification.standard), answer(verification),
                      session.specification.name.empty() ? "none" : in_quotes(session.specification.name),
                      text_of(verification.rule));
@@ -119,8 +120,9 @@ std::string summary_text(const Verification& verification) {
       table.add(
           {symbol_of(quantity), fmt::format("{}", count), value_text(*worst), limit_text(*worst), share_text(*worst),
            fmt::format("{:.2f}", worst->budget.total() / units::micrometre), verdict_text(*worst),
-           fmt::format("{} at {}", shown(worst->first) + (worst->second.empty() ? "" : " - " + shown(worst->second)),
-                       worst->placement.empty() ? text_of(worst->place) : shown(worst->placement))});
+           fmt::format("{} at {}",
+                       short_name(worst->first) + (worst->second.empty() ? "" : " - " + short_name(worst->second)),
+                       worst->placement.empty() ? text_of(worst->place) : short_name(worst->placement))});
     }
   }
   return table.text() + "  Worst: the value with the largest share of its limit (without a limit, the largest).\n\n";
@@ -156,9 +158,10 @@ std::string values_text(const Verification& verification, Quantity quantity, boo
                is_length ? "at reference, mm" : "", "value, um", "limit", "u", "verdict", "where"});
   const auto values = to_show(verification, quantity, all);
   for (const TestValue* value : values) {
-    const std::string features = shown(value->first) + (value->second.empty() ? "" : " - " + shown(value->second));
-    const std::string repeat = value->repeat.empty() ? "" : ", " + shown(value->repeat);
-    table.add({fmt::format("{}: {}{}", shown(value->placement), features, repeat),
+    const std::string features =
+        short_name(value->first) + (value->second.empty() ? "" : " - " + short_name(value->second));
+    const std::string repeat = value->repeat.empty() ? "" : ", " + short_name(value->repeat);
+    table.add({fmt::format("{}: {}{}", short_name(value->placement), features, repeat),
                is_length ? fmt::format("{:.4f}", value->stated.value) : "",
                is_length ? fmt::format("{:.4g}", value->stated.temperature) : "",
                is_length ? fmt::format("{:.4f}", value->certified) : "", value_text(*value), limit_text(*value),
@@ -179,13 +182,13 @@ std::string plate_text(const PlatePlacement& plate, bool all) {
   std::string text = fmt::format(
       "{}, placement {}: {} balls, residuals {:.2f} um rms, scale {:+.2f} ppm (u {:.2f}), worst |En| of a distance "
       "{:.2f}\n",
-      shown(plate.artefact),
+      short_name(plate.artefact),
       in_quotes(plate.placement) + (plate.repeat.empty() ? "" : ", repeat " + in_quotes(plate.repeat)),
       plate.balls.size(), plate.rms / units::micrometre, 1e6 * plate.scale, 1e6 * plate.u_scale, plate.en_worst);
   Table table({"ball, residual in the plate's axes, um", "x", "y", "z", "standardised", ""});
   for (const BallResidual& ball : plate.balls) {
     if (all || plate.balls.size() <= max_balls || ball.is_outlier) {
-      table.add({shown(ball.feature), signed_in_micrometres(ball.residual_in_plate.x()),
+      table.add({short_name(ball.feature), signed_in_micrometres(ball.residual_in_plate.x()),
                  signed_in_micrometres(ball.residual_in_plate.y()), signed_in_micrometres(ball.residual_in_plate.z()),
                  fmt::format("{:.1f}", ball.standardised), ball.is_outlier ? "outlier" : ""});
     }
@@ -196,14 +199,14 @@ std::string plate_text(const PlatePlacement& plate, bool all) {
 std::string calibration_text(const PlateCalibration& calibration) {
   std::string text = fmt::format(
       "The plate {} itself, by {} placements turned by at least {:.0f} degrees against each other (scale: the arm's)\n",
-      shown(calibration.artefact), calibration.placements, calibration.least_turn / units::degree);
+      short_name(calibration.artefact), calibration.placements, calibration.least_turn / units::degree);
   Table table({"ball, mm", "x", "y", "z", "less certified, um: x", "y", "z", "u"});
   for (Eigen::Index i = 0; i < calibration.centres.cols(); ++i) {
     const auto at = calibration.centres.col(i);
     const auto off = calibration.deviations.col(i);
     const auto mm = [](double value) { return fmt::format("{:.5f}", value); };
-    table.add({shown(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()), signed_in_micrometres(off.x()),
-               signed_in_micrometres(off.y()), signed_in_micrometres(off.z()),
+    table.add({short_name(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()),
+               signed_in_micrometres(off.x()), signed_in_micrometres(off.y()), signed_in_micrometres(off.z()),
                fmt::format("{:.2f}", calibration.u(i) / units::micrometre)});
   }
   return text + table.text() + "\n";
@@ -213,7 +216,7 @@ std::string b89_text(const VerificationResult& result) {
   std::string text;
   for (const Articulation& a : result.articulations) {
     text += fmt::format("{} at {}: {} readings, maximum {}, 2 s {}, (max - min)/2 {} {} {} um (x y z)\n",
-                        shown(a.feature), shown(a.placement), a.readings, in_micrometres(a.largest),
+                        short_name(a.feature), short_name(a.placement), a.readings, in_micrometres(a.largest),
                         in_micrometres(a.twice_s), in_micrometres(a.half_range.x()), in_micrometres(a.half_range.y()),
                         in_micrometres(a.half_range.z()));
   }
@@ -228,9 +231,10 @@ std::string b89_text(const VerificationResult& result) {
 std::string interim_text(const InterimCheck& check) {
   Table table({"drift since, um", "then", "now", "drift", "u (k = 1)", "repeatability", ""});
   for (const Drift& drift : check.drifts) {
-    const std::string features = shown(drift.first) + (drift.second.empty() ? "" : " - " + shown(drift.second));
+    const std::string features =
+        short_name(drift.first) + (drift.second.empty() ? "" : " - " + short_name(drift.second));
     const bool told = drift.degrees_of_freedom > 0;
-    table.add({fmt::format("{} {}: {}", name_of(drift.quantity), shown(drift.placement), features),
+    table.add({fmt::format("{} {}: {}", name_of(drift.quantity), short_name(drift.placement), features),
                signed_in_micrometres(drift.then), signed_in_micrometres(drift.now), signed_in_micrometres(drift.drift),
                fmt::format("{:.2f}", drift.u / units::micrometre),
                told ? fmt::format("{:.2f}", drift.repeatability / units::micrometre) : "no repeats",

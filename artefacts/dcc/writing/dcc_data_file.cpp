@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-constexpr std::string_view schema = "artcal-dcc-data/1";
+constexpr std::string_view dcc_data_schema = "artcal-dcc-data/1";
 constexpr std::array<std::string_view, 5> locations{"laboratory", "customer", "laboratoryBranch", "customerBranch",
                                                     "other"};
 
@@ -80,7 +80,7 @@ DccData read_data(TomlTable& root) {
 }  // namespace
 
 Expected<DccDataFile> read_dcc_data(const std::filesystem::path& path) {
-  auto document = TomlDocument::read(path, schema);
+  auto document = TomlDocument::read(path, dcc_data_schema);
   if (!document) {
     return tl::unexpected(document.error());
   }

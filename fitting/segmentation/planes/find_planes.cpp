@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "fitting/chosen_points.h"
 #include "fitting/cloud.h"
 #include "fitting/segmentation/planes/curved.h"
 #include "fitting/segmentation/planes/flat_patches.h"
@@ -16,16 +17,8 @@ namespace {
 
 using namespace segmentation;
 
-constexpr std::size_t min_points = 20;
+constexpr std::size_t min_plane_points = 20;
 constexpr std::size_t max_neighbourhoods = 3000;  // of points: their time goes with the square
-
-Eigen::Matrix3Xd columns(const Points& points, const std::vector<int>& which) {
-  Eigen::Matrix3Xd some(3, static_cast<Eigen::Index>(which.size()));
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    some.col(static_cast<Eigen::Index>(i)) = points.col(which[i]);
-  }
-  return some;
-}
 
 /// One search for planes: the points, those that belong to something by now, and the planes found.
 class PlaneFinder {
@@ -122,13 +115,13 @@ class PlaneFinder {
     FoundPlane found;
     for (int round = 0; round < max_rounds; ++round) {
       auto own = points_in(flat, plane, width);
-      if (own.size() < min_points) {
+      if (own.size() < min_plane_points) {
         return std::nullopt;
       }
       if (own == found.points) {
         break;
       }
-      auto fitted = fit<Plane>(columns(points_, own));
+      auto fitted = fit<Plane>(fitting::chosen_points(points_, own));
       if (!fitted) {
         return std::nullopt;
       }
@@ -136,7 +129,7 @@ class PlaneFinder {
       width = std::max(4.0 * fitted->rms, rounding_);
       found = {std::move(*fitted), std::move(own)};
     }
-    if (is_curved(columns(points_, found.points), plane)) {
+    if (is_curved(fitting::chosen_points(points_, found.points), plane)) {
       return std::nullopt;
     }
     return found;
@@ -171,7 +164,7 @@ Expected<std::vector<FoundPlane>> find_planes(const Points& points, const PlaneS
   }
   for (const int neighbours : {12, 30}) {
     const auto left = finder.untaken();
-    if (!finder.is_done() && left.size() >= min_points && left.size() <= max_neighbourhoods) {
+    if (!finder.is_done() && left.size() >= min_plane_points && left.size() <= max_neighbourhoods) {
       finder.look_at(flat_neighbourhoods(points, left, neighbours), edge);
     }
   }

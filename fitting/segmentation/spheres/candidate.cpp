@@ -14,7 +14,7 @@
 namespace artcal::segmentation {
 namespace {
 
-constexpr int min_points = 10;
+constexpr int min_ball_points = 10;
 constexpr double least_coverage = 0.03;     // a cap of 20 degrees around its pole
 constexpr double least_extent = 0.1;        // of the radius: rms of the points across their narrowest band
 constexpr double max_noise = 0.04;          // of the radius
@@ -47,10 +47,10 @@ std::optional<tl::unexpected<RejectedSphere>> objection(const Trial& trial, cons
                                                         const Eigen::Vector3d& centre, int next_to_it) {
   const double radius = trial.radius;
   const int count = surface.count;
-  if (count < min_points) {
+  if (count < min_ball_points) {
     return trial.rejected(centre, count, RejectionReason::TooFewPoints,
                           fmt::format("{} points on a sphere of radius {:.4g} mm about {}, at least {} are needed",
-                                      count, radius, at(centre, radius), min_points));
+                                      count, radius, at(centre, radius), min_ball_points));
   }
   if (surface.sphere.noise > max_noise * radius) {
     return trial.rejected(centre, count, RejectionReason::NotASphere,

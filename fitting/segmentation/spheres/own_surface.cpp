@@ -18,7 +18,7 @@ constexpr double near_limit = 12.0;  // what scatters lies between the two, what
 constexpr double reach = 0.5;        // of the radius; farther away is not this sphere's business
 constexpr int telling_count = 8;     // points from which a cell's scatter means something
 
-struct Cell {
+struct SurfaceCell {
   int own = 0, near = 0, far = 0;
   double sum = 0.0, squares = 0.0;  // of the own distances
 
@@ -55,9 +55,9 @@ struct Typical {
   double mean;  // without sign
 };
 
-Typical typical_of(const std::vector<Cell>& cells, double noise) {
+Typical typical_of(const std::vector<SurfaceCell>& cells, double noise) {
   std::vector<double> near_shares, variances, means;
-  for (const Cell& cell : cells) {
+  for (const SurfaceCell& cell : cells) {
     if (cell.own >= telling_count && 2 * cell.own > cell.total()) {
       near_shares.push_back(share_of(cell.near, cell.own + cell.near));
       variances.push_back(cell.variance());
@@ -67,7 +67,7 @@ Typical typical_of(const std::vector<Cell>& cells, double noise) {
   return {median_or(near_shares, 0.0), median_or(variances, noise * noise), median_or(means, 0.0)};
 }
 
-bool is_clean(const Cell& cell, const Typical& typical) {
+bool is_clean(const SurfaceCell& cell, const Typical& typical) {
   if (cell.own == 0 || (cell.far >= 2 && cell.far > 0.25 * cell.total())) {
     return false;
   }
@@ -143,10 +143,10 @@ Surface own_surface(const Eigen::Matrix3Xd& points, const SphereFit& start, doub
   constexpr int max_rounds = 10;
   for (int round = 0; round < max_rounds; ++round) {
     const double noise = surface.sphere.noise;
-    std::vector<Cell> cells(directions.size());
+    std::vector<SurfaceCell> cells(directions.size());
     for (std::size_t i = 0; i < count; ++i) {
       const double d = distances(static_cast<Eigen::Index>(i));
-      Cell& cell = cells[cell_of[i]];
+      SurfaceCell& cell = cells[cell_of[i]];
       if (std::abs(d) <= own_limit * noise) {
         ++cell.own;
         cell.sum += d;

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::size_t places_in_time = 6;
 constexpr std::size_t places_by_angle = 3;
-constexpr int iterations = 30;
+constexpr int slip_iterations = 30;
 constexpr std::size_t max_places = 400;
-constexpr double near_enough = 1e-3;  // mm
+constexpr double near_enough_for_slips = 1e-3;  // mm
 
 Arm with_slip_joint(Arm arm, int joint) {
   Joint slip;
@@ -77,8 +77,8 @@ class SlipFits {
       longer.joints(row, i) = slip.after[static_cast<std::size_t>(i)] ? 1.0 : 0.0;
     }
     SolveOptions options;
-    options.max_iterations = iterations;
-    options.still = near_enough;
+    options.max_iterations = slip_iterations;
+    options.still = near_enough_for_slips;
     options.loss = loss;
     const auto fit =
         fit_arm(longer, constraints_, longer.arm, with_slip_parameter(free_, longer.arm, row), {}, options);

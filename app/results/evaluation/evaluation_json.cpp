@@ -1,4 +1,4 @@
-#include "app/results/identification/evaluation_json.h"
+#include "app/results/evaluation/evaluation_json.h"
 
 #include "app/output/json_list.h"
 #include "app/results/artefact_summary.h"
@@ -8,8 +8,6 @@ namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json point_json(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
 Json deviation_json(const FeatureDeviation& deviation) {
   Json json;

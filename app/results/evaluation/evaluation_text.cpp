@@ -1,4 +1,4 @@
-#include "app/results/identification/evaluation_text.h"
+#include "app/results/evaluation/evaluation_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,22 +7,17 @@
 
 #include "app/output/phrases.h"
 #include "app/output/table.h"
+#include "app/results/shown_text.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::size_t max_lengths = 20;
+constexpr std::size_t max_lengths_listed = 20;
 constexpr std::size_t max_readings = 5;
 
-std::string mm(double value) { return fmt::format("{:.4f}", value); }
-std::string signed_mm(double value) { return fmt::format("{:+.4f}", value); }
-
-// Names come from files and may be longer than a screen is wide.
-std::string shown(const std::string& name) { return truncated(60, name); }
-
 std::string placement_name(const FeatureName& name, bool several_artefacts) {
-  return several_artefacts ? shown(name.artefact) + ", " + shown(name.placement) : shown(name.placement);
+  return several_artefacts ? shown_name(name.artefact) + ", " + shown_name(name.placement) : shown_name(name.placement);
 }
 
 std::string placements_text(const Evaluation& evaluation) {
@@ -30,10 +25,10 @@ std::string placements_text(const Evaluation& evaluation) {
   Table table({"placement", "readings", "rms, mm", "largest, mm"});
   for (const FeatureDeviation& placement : evaluation.placements) {
     table.add({placement_name(placement.name, several_artefacts), fmt::format("{}", placement.readings),
-               mm(placement.rms), mm(placement.maximum)});
+               mm_text(placement.rms), mm_text(placement.maximum)});
   }
-  table.add({"all", fmt::format("{}", evaluation.overall.readings), mm(evaluation.overall.rms),
-             mm(evaluation.overall.maximum)});
+  table.add({"all", fmt::format("{}", evaluation.overall.readings), mm_text(evaluation.overall.rms),
+             mm_text(evaluation.overall.maximum)});
   return table.text() + "\n";
 }
 
@@ -45,13 +40,13 @@ std::string lengths_text(const Evaluation& evaluation) {
   std::stable_sort(worst_first.begin(), worst_first.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.error) > std::abs(b.error); });
   Table table({"certified length, the worst first", "at temperature, mm", "error, mm"});
-  for (std::size_t i = 0; i < std::min(max_lengths, worst_first.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(max_lengths_listed, worst_first.size()); ++i) {
     const LengthDeviation& length = worst_first[i];
-    table.add(
-        {fmt::format("{} {} - {}", shown(length.first.placement), shown(length.first.feature), shown(length.second)),
-         mm(length.at_temperature), signed_mm(length.error)});
+    table.add({fmt::format("{} {} - {}", shown_name(length.first.placement), shown_name(length.first.feature),
+                           shown_name(length.second)),
+               mm_text(length.at_temperature), signed_mm_text(length.error)});
   }
-  const std::size_t more = worst_first.size() - std::min(max_lengths, worst_first.size());
+  const std::size_t more = worst_first.size() - std::min(max_lengths_listed, worst_first.size());
   return table.text() + (more > 0 ? fmt::format("  and {} more\n\n", more) : "\n");
 }
 
@@ -68,7 +63,7 @@ std::string readings_text(const Recording& recording, const Constraints& constra
   std::string text = "Largest deviations of single readings:\n";
   for (std::size_t i = 0; i < std::min(max_readings, worst_first.size()); ++i) {
     const auto& [reading, deviation] = worst_first[i];
-    text += fmt::format("  {}: {} mm\n", recording.where(reading), signed_mm(deviation));
+    text += fmt::format("  {}: {} mm\n", recording.where(reading), signed_mm_text(deviation));
   }
   return text;
 }
@@ -77,7 +72,7 @@ std::string readings_text(const Recording& recording, const Constraints& constra
 
 std::string to_text(const Recording& recording, const Constraints& constraints, const Evaluation& evaluation,
                     const std::vector<std::string>& warnings) {
-  return fmt::format("{}\nevaluated with the arm {}: {}, {}, {}\n\n{}{}{}{}", shown(recording.name),
+  return fmt::format("{}\nevaluated with the arm {}: {}, {}, {}\n\n{}{}{}{}", shown_name(recording.name),
                      in_quotes(recording.arm.name), plural(recording.readings.size(), "reading"),
                      plural(constraints.features.size(), "feature"), plural(evaluation.placements.size(), "placement"),
                      warning_lines(warnings) + (warnings.empty() ? "" : "\n"), placements_text(evaluation),
