@@ -1,6 +1,5 @@
-#include "acquisition/import/imported_readings.h"
 #include "acquisition/import/pcdmis_report.h"
-#include "fuzz/check.h"
+#include "fuzz/import_check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace artcal;
@@ -10,16 +9,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const char* columns : {"", "name,x,y,z", "q1,q2,-,x,y,z"}) {
-    const auto readings =
-        is_pcdmis_report(*file) ? import_pcdmis_report(*file) : import_text(*file, {columns, std::nullopt, 0});
-    if (!readings) {
-      fuzzing::require_sentence(readings.error());
-      continue;
-    }
-    for (const auto& row : readings->rows) {
-      fuzzing::require(row.size() == readings->columns.size());
-    }
-    fuzzing::require(!readings_csv(*readings).empty());
+    fuzzing::check_import(is_pcdmis_report(*file) ? import_pcdmis_report(*file)
+                                                  : import_text(*file, {columns, std::nullopt, 0}));
   }
   return 0;
 }

@@ -73,8 +73,7 @@ void drop_zeros(PointCloud& cloud) {
 
 }  // namespace
 
-void drop_coincident_points(PointCloud& cloud) {
-  drop_zeros(cloud);
+std::size_t merge_equal_points(PointCloud& cloud) {
   const auto first = first_of_equal(cloud);
   std::vector<bool> repeated(first.size());
   std::size_t count = 0;
@@ -82,12 +81,19 @@ void drop_coincident_points(PointCloud& cloud) {
     repeated[i] = first[i] != static_cast<Eigen::Index>(i);
     count += repeated[i] ? 1 : 0;
   }
-  if (count == 0) {
-    return;
+  if (count > 0) {
+    keep(cloud, repeated);
   }
-  cloud.warnings.push_back(fmt::format(
-      "{} of {} points repeat an earlier one in every digit; each place is counted once", count, cloud.points.cols()));
-  keep(cloud, repeated);
+  return count;
+}
+
+void drop_coincident_points(PointCloud& cloud) {
+  drop_zeros(cloud);
+  const Eigen::Index points = cloud.points.cols();
+  if (const std::size_t count = merge_equal_points(cloud); count > 0) {
+    cloud.warnings.push_back(
+        fmt::format("{} of {} points repeat an earlier one in every digit; each place is counted once", count, points));
+  }
 }
 
 }  // namespace artcal

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "acquisition/point_cloud/point_cloud.h"
 
 namespace artcal {
@@ -11,5 +13,8 @@ namespace artcal {
 ///    error, which independent measurements would not.
 /// Where nothing but zeros is left, the cloud stays as it is.
 void drop_coincident_points(PointCloud& cloud);
+
+/// Leaves out points that repeat an earlier one in every coordinate and joint angle; the number of them.
+std::size_t merge_equal_points(PointCloud& cloud);
 
 }  // namespace artcal

@@ -5,10 +5,22 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "acquisition/import/delimited_text.h"
 #include "core/error.h"
 
 namespace artcal {
+
+/// A feature as the other program fitted it to its points: a check of what was understood. In the file's unit.
+struct ReportedFeature {
+  enum class Kind { Sphere, Circle, Cylinder };
+  std::string name;
+  Kind kind = Kind::Sphere;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< its centre, or a point of its axis
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();   ///< of a cylinder, normal of a circle; of any length but zero
+  double diameter = 0.0;
+};
 
 /// Readings of another program's file as a table of readings.csv. Numbers keep their digits and their unit.
 struct ImportedReadings {
@@ -17,6 +29,8 @@ struct ImportedReadings {
   std::vector<std::vector<std::string>> rows;  ///< a field each, numbers with decimal points
   std::vector<std::string> understood;         ///< sentences: which columns were used, what was passed over
   std::string length_unit;                     ///< where the file states it; else empty
+  std::string probe_radius;                    ///< of the tip whose centres these are, likewise, in that unit
+  std::vector<ReportedFeature> reported;       ///< features whose points are among the rows
 };
 
 struct TextImport {

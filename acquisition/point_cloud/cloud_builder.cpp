@@ -113,6 +113,9 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
   if (records_ == 0) {
     return bad_input("the file holds no points", name);
   }
+  if (size_ == 0 && missing_ == records_) {
+    return bad_input(fmt::format("at none of the {} points anything was measured, all are 0 0 0", records_), name);
+  }
   if (size_ == 0) {
     return bad_input(fmt::format("none of the {} points is a number, all are NaN or infinite", records_), name);
   }
@@ -136,9 +139,14 @@ Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std
   PointCloud cloud{std::move(points_),  std::move(joints_),
                    std::move(rows_),    static_cast<std::size_t>(records_ - size_),
                    {name, file.sha256}, std::move(warnings)};
-  if (cloud.dropped > 0) {
+  if (const auto not_numbers = cloud.dropped - static_cast<std::size_t>(missing_); not_numbers > 0) {
     cloud.warnings.push_back(
-        fmt::format("{} of {} points are NaN or infinite and were dropped", cloud.dropped, records_));
+        fmt::format("{} of {} points are NaN or infinite and were dropped", not_numbers, records_));
+  }
+  if (missing_ > 0) {
+    cloud.warnings.push_back(fmt::format(
+        "{} of {} points are 0 0 0 in the scanner's own frame, where it measured nothing, and were left out", missing_,
+        records_));
   }
   if (auto unlikely = size_ > 1 ? unlikely_size(span) : std::nullopt) {
     cloud.warnings.push_back(*unlikely);

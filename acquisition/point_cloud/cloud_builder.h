@@ -52,6 +52,12 @@ class CloudBuilder {
     ++records_;
   }
 
+  /// One record at which the instrument measured nothing, as its format says so: left out and counted apart.
+  void add_missing() {
+    ++missing_;
+    ++records_;
+  }
+
   /// Notes that the file has coordinates in single precision.
   void note_single_precision() { single_precision_ = true; }
 
@@ -66,6 +72,7 @@ class CloudBuilder {
   Eigen::Index size_ = 0;
   std::array<double, 3> low_, high_;  // of the coordinates, mm
   int records_ = 0;
+  int missing_ = 0;
   bool single_precision_ = false;
 };
 

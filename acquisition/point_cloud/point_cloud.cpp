@@ -1,5 +1,6 @@
 #include "acquisition/point_cloud/point_cloud.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,16 +14,15 @@
 namespace artcal {
 namespace {
 
-// Formats of scans that are not read, by their first bytes.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> others{{{"LASF", "LAS"},
+// Formats of scans that are not read, by their first bytes.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> others{{{"LASF", "LAS"},
                                                                                {"ASTM-E57", "E57"},
                                                                                {"\xFF\xFE", "text in UTF-16"},
                                                                                {"\xFE\xFF", "text in UTF-16"},
                                                                                {"PK\x03\x04", "a ZIP or XLSX archive"},
-                                                                               {"\x1f\x8b", "compressed with gzip"},
-                                                                               {"solid ", "STL"}}};
+                                                                               {"\x1f\x8b", "compressed with gzip"}}};
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -35,12 +35,6 @@ std::string lower_extension(const std::filesystem::path& path) {
 // A cloud whose header was lost would read as a table of other columns.
 Expected<void> check_text(const FileBytes& file) {
   const std::string name = file.path.string();
-  for (const auto& [start, format] : others) {
-    if (file.bytes.starts_with(start)) {
-      return bad_input(fmt::format("the file looks like {}, which is not read; export it as PLY, PCD or text", format),
-                       name);
-    }
-  }
   if (file.bytes.find('\0') != std::string::npos) {
     return bad_input(
         "the file holds zero bytes, but begins neither as PCD nor as PLY; expected one of these or plain "
@@ -55,6 +49,35 @@ Expected<void> check_text(const FileBytes& file) {
   return {};
 }
 
+Expected<void> check_known(const FileBytes& file) {
+  for (const auto& [start, format] : others) {
+    if (file.bytes.starts_with(start)) {
+      return bad_input(fmt::format("the file looks like {}, which is not read; export it as PLY, PCD or text", format),
+                       file.path.string());
+    }
+  }
+  return {};
+}
+
+/// A format that names its coordinates or has them in one place.
+struct NamedFormat {
+  std::string_view name, extension;  ///< a file of that extension is of that format or is refused
+  bool (*looks)(std::string_view bytes);
+  Expected<ReadCloud> (*parse)(const FileBytes& file, const CloudUnits& units);
+};
+
+constexpr std::array<NamedFormat, 3> named_formats{{{"PTX", ".ptx", looks_like_ptx, parse_ptx},
+                                                    {"STL", ".stl", looks_like_stl, parse_stl},
+                                                    {"OBJ", ".obj", looks_like_obj, parse_obj}}};
+
+Expected<void> check_no_columns(const FileBytes& file, const TextColumns& columns) {
+  return columns ? bad_input(
+                       "columns are stated by number, but the file is PCD, PLY, PTX, OBJ or STL, where the "
+                       "coordinates have their place; leave them out",
+                       file.path.string())
+                 : Expected<void>{};
+}
+
 Expected<ReadCloud> parse_within(const FileBytes& file, const CloudUnits& units, const TextColumns& columns,
                                  const CloudLimits& limits) {
   if (file.bytes.starts_with(byte_order_mark)) {
@@ -62,11 +85,19 @@ Expected<ReadCloud> parse_within(const FileBytes& file, const CloudUnits& units,
   }
   const bool ply = looks_like_ply(file.bytes);
   if (!ply && !looks_like_pcd(file.bytes)) {
+    if (auto known = check_known(file); !known) {
+      return tl::unexpected(known.error());
+    }
+    const std::string extension = lower_extension(file.path);
+    for (const NamedFormat& format : named_formats) {
+      if (format.looks(file.bytes) || extension == format.extension) {
+        return check_no_columns(file, columns).and_then([&] { return format.parse(file, units); });
+      }
+    }
     return check_text(file).and_then([&] { return parse_xyz(file, units, columns); });
   }
-  if (columns) {
-    return bad_input("columns are stated by number, but the file is PCD or PLY, which names its fields; leave them out",
-                     file.path.string());
+  if (auto none = check_no_columns(file, columns); !none) {
+    return tl::unexpected(none.error());
   }
   return (ply ? parse_ply(file, units) : parse_pcd(file, units, limits)).map([](PointCloud&& cloud) {
     return ReadCloud{std::move(cloud), "the fields x, y, z"};
@@ -74,6 +105,18 @@ Expected<ReadCloud> parse_within(const FileBytes& file, const CloudUnits& units,
 }
 
 }  // namespace
+
+std::string_view cloud_format_name(std::string_view bytes) {
+  if (looks_like_ply(bytes)) {
+    return "PLY";
+  }
+  if (looks_like_pcd(bytes)) {
+    return "PCD";
+  }
+  const auto found = std::find_if(named_formats.begin(), named_formats.end(),
+                                  [&](const NamedFormat& format) { return format.looks(bytes); });
+  return found == named_formats.end() ? std::string_view{} : found->name;
+}
 
 Expected<ReadCloud> parse_cloud(const FileBytes& file, const CloudUnits& units, const TextColumns& columns) {
   return parse_within(file, units, columns, {});

@@ -23,9 +23,12 @@ struct ReadCloud {
 ///  - A byte-order mark is passed over.
 ///  - Text: columns may be separated by semicolons, and then numbers may have a decimal comma; 1.5D+02 is 150. A first
 ///    line of one whole number is the number of points (PTS), which is checked.
+///  - PTX: the points of its scans, each moved by its scan's matrix; 0 0 0 in the scanner's frame is left out.
+///  - Wavefront OBJ: the vertices `v`. STL in text and binary: the vertices of its triangles, each once.
+///    A name in .ptx, .obj or .stl promises that format.
 /// Errors (BadInput) beside those of read_point_cloud: more than three columns without a header of which the first
-/// looks like a running number, a label or a time, unless `columns` are stated; columns stated for PCD or PLY, or that
-/// are not there; PTX, OBJ.
+/// looks like a running number, a label or a time, unless `columns` are stated; columns stated for PCD, PLY, PTX, OBJ
+/// or STL, or that are not there; a matrix of a PTX that is no rigid motion; free-form surfaces in an OBJ.
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units,
                                const TextColumns& columns = std::nullopt);
 

@@ -69,8 +69,7 @@ class XyzReader {
         "this is no table of points: expected lines of numbers x y z, with a line of names above or without", where);
   }
 
-  // A line of one whole number is the number of points that follow (PTS). Two of them are the columns and rows of a
-  // PTX, whose points a matrix moves.
+  // A line of one whole number is the number of points that follow (PTS).
   Expected<void> take_count() {
     if (!more_) {
       return bad_input("the file holds no points", path());
@@ -86,13 +85,6 @@ class XyzReader {
       return bad_input(
           fmt::format("the line looks like the number of points of a PTS file, {}, but no points follow", *count),
           count_where_);
-    }
-    if (rows_.fields().size() == 1 && whole_number(rows_.fields().front()) && rows_.next() &&
-        rows_.fields().size() == 3) {
-      return bad_input(
-          "the file looks like PTX (two lines with the size of a grid, then a matrix that moves its points), which is "
-          "not read; export it as PLY, PCD, PTS or text",
-          path());
     }
     return {};
   }
@@ -195,9 +187,6 @@ class XyzReader {
     }
     ++read_;
     auto read = rows_.numbers(columns_, record.data());
-    if (!read && rows_.fields().front() == "v") {
-      return bad_input("the file looks like a Wavefront OBJ, which is not read; export it as PLY, PCD or text", path());
-    }
     if (!read && read_ == 1 && !has_header_ && !stated_ && width_ > 3 && !rows_.is_number_at(0)) {
       return bad_input(read.error().message +
                            "; is it a label? Then state the columns of x, y and z, such as --columns "

@@ -72,7 +72,9 @@ Expected<int> fit_and_tell(const Request& request) {
 Run set_up_fit(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   FitWords& words = request->words;
-  parser.add_option("points", request->points, "PCD, PLY or a table of x y z as text")->required()->type_name("POINTS");
+  parser.add_option("points", request->points, "PCD, PLY, PTX, OBJ, STL or a table of x y z as text")
+      ->required()
+      ->type_name("POINTS");
   parser.add_option("--shape", words.shape, "what the points lie on")->required()->check(CLI::IsMember(shape_names()));
   parser.add_option("--unit", words.unit, "unit of the coordinates in the file: mm, um, m or in")->required();
   parser.add_option("--criterion", words.criterion, "what fits best")->check(CLI::IsMember(criterion_names()));

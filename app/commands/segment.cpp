@@ -154,7 +154,7 @@ Expected<int> segment_and_tell(const Request& request) {
 
 Run set_up_segment(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("scan", request->scan, "PCD, PLY or text of x, y, z")->required()->type_name("SCAN");
+  parser.add_option("scan", request->scan, "PCD, PLY, PTX, OBJ, STL or text of x, y, z")->required()->type_name("SCAN");
   parser.add_option("--artefact", request->artefact, "artefact.toml: the artefact that was scanned")
       ->required()
       ->type_name("FILE");

@@ -12,6 +12,7 @@ struct ImportRequest {
   std::string input, folder, columns, separator, format = "auto", unit, joint_unit;
   std::string artefact, arm, probe_radius;
   int skip = 0;
+  bool points_are_measured = false;
   bool quiet = false;
 
   void add_to(CLI::App& parser);

@@ -45,7 +45,7 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   using enum FileKind::Kind;
-  static const std::vector<std::string> clouds{"pcd", "ply", "xyz", "txt", "csv", "asc", "pts", "ptx"};
+  static const std::vector<std::string> clouds{"pcd", "ply", "xyz", "txt", "csv", "asc", "pts", "ptx", "obj", "stl"};
   static const std::vector<Kind> table{
       {"RECORDING", {Files, {"toml"}}},
       {"ARM", {Files, {"toml"}}},
@@ -78,6 +78,7 @@ const std::vector<Kind>& kinds() {
       {"K/N", {}},
       {"HEIGHT", {}},
       {"X,Y,Z", {}},
+      {"R,P,Y", {}},
       {"X1,X2,Y1,Y2,TOP", {}},
       {"LENGTH", {}},
       {"COMMAND", {}},

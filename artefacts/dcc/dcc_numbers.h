@@ -1,7 +1,7 @@
 #pragma once
 
 #include "artefacts/dcc/dcc.h"
-#include "artefacts/dcc/xml.h"
+#include "core/xml/xml.h"
 
 namespace artcal {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "artefacts/dcc/dcc.h"
-#include "artefacts/dcc/xml.h"
+#include "core/xml/xml.h"
 
 namespace artcal {
 

@@ -4,11 +4,11 @@
 #include <pugixml.hpp>
 
 #include "artefacts/dcc/dcc_quantity.h"
-#include "artefacts/dcc/xml.h"
 #include "core/calendar_date.h"
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
 #include "core/text/in_quotes.h"
+#include "core/xml/xml.h"
 
 namespace artcal {
 namespace {

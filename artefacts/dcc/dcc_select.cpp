@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/dcc/xml.h"
 #include "core/text/in_quotes.h"
+#include "core/xml/xml.h"
 
 namespace artcal {
 namespace {

@@ -58,11 +58,8 @@ TEST_F(ReadCloudText, TheCountOfAPts) {
   EXPECT_THAT(refusal("p.pts", "200\n"), HasSubstr("looks like the number of points of a PTS file"));
 }
 
-TEST_F(ReadCloudText, APtxIsNamed) {
-  EXPECT_THAT(refusal("p.ptx", "20\n10\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 .5\n"),
-              AllOf(HasSubstr("PTX"), HasSubstr("export it as")));
+TEST_F(ReadCloudText, LinesOfOneNumberAreNoPoints) {
   EXPECT_THAT(refusal("p.txt", "1\n2\n3\n"), HasSubstr("the line has 1 column, expected at least 3"));
-  EXPECT_THAT(refusal("p.obj", "v 1 2 3\nv 4 5 7\n"), HasSubstr("OBJ"));
 }
 
 TEST_F(ReadCloudText, FortranExponents) {

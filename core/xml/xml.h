@@ -21,7 +21,7 @@ class XmlSource {
   explicit XmlSource(const TextFile& file) : file_(file), lines_(file.text) {}
 
   [[nodiscard]] const TextFile& file() const { return file_; }
-  /// The line where an element begins, and "certificate.xml:12".
+  /// The line where an element begins, and "certificate.xml:12" for messages.
   [[nodiscard]] int line_of(const pugi::xml_node& node) const;
   [[nodiscard]] std::string place_of(const pugi::xml_node& node) const;
   /// The same of a byte of the text.

@@ -1,4 +1,4 @@
-#include "artefacts/dcc/xml.h"
+#include "core/xml/xml.h"
 
 #include <algorithm>
 #include <cctype>
@@ -69,8 +69,9 @@ Expected<void> parse_xml(const XmlSource& source, pugi::xml_document& document) 
   }
   for (const pugi::xml_node& node : document.children()) {
     if (node.type() == pugi::node_doctype) {
-      return bad_input("the file has a document type (<!DOCTYPE …>), which no certificate needs; it is not read",
-                       source.place_of(node));
+      return bad_input(
+          "the file has a document type (<!DOCTYPE …>), which no file of measured values needs; it is not read",
+          source.place_of(node));
     }
     if (node.type() == pugi::node_declaration && !is_utf8(node.attribute("encoding").value())) {
       return bad_input(fmt::format("the file says that its encoding is {}, expected UTF-8; save it as UTF-8",

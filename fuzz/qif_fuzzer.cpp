@@ -1,0 +1,12 @@
+#include "acquisition/import/qif_file.h"
+#include "fuzz/import_check.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace artcal;
+  const auto file = read_text_file(fuzzing::folder().write("results.qif", fuzzing::bytes_of(data, size)));
+  if (file) {
+    (void)is_qif_file(*file);
+    fuzzing::check_import(import_qif(*file));
+  }
+  return 0;
+}
