@@ -54,6 +54,7 @@ Run set_up_store(CLI::App& parser);
 Run set_up_history(CLI::App& parser);
 Run set_up_convert(CLI::App& parser);
 Run set_up_import(CLI::App& parser);
+Run set_up_new(CLI::App& parser);
 Run set_up_arm(CLI::App& parser);
 Run set_up_help(CLI::App& parser);
 Run set_up_completion(CLI::App& parser);
