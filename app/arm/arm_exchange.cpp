@@ -39,6 +39,20 @@ std::string base_text(const Rigid& base_from_arm) {
       at.x(), at.y(), at.z(), angles.x(), angles.y(), angles.z());
 }
 
+// What the arm's file does not hold, as --tip-orientation of an export takes it.
+std::string tip_text(const Eigen::Matrix3d& last_from_tip) {
+  constexpr double same = 1e-12;
+  if ((last_from_tip - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < same) {
+    return "";
+  }
+  const Eigen::Vector3d angles = roll_pitch_yaw_of(last_from_tip);
+  return fmt::format(
+      "the tip's orientation in the last joint's frame is no part of an arm's file; arm export --urdf "
+      "--tip-orientation "
+      "{:.17g},{:.17g},{:.17g} writes it\n",
+      angles.x(), angles.y(), angles.z());
+}
+
 std::string import_text(const JointChain& chain, const Arm& arm) {
   const std::string parallel = parallel_axes(arm);
   return fmt::format(
@@ -67,7 +81,8 @@ Expected<int> ArmImport::run() const {
   if (!made) {
     return bad_input(made.error().message, input);
   }
-  const std::string said = import_text(*chain, made->arm) + (own_base ? base_text(made->base_from_arm) : "");
+  const std::string said =
+      import_text(*chain, made->arm) + (own_base ? base_text(made->base_from_arm) : "") + tip_text(made->last_from_tip);
   return give_arm(output, quiet, arm_file_text(made->arm, std::nullopt), said);
 }
 
@@ -83,7 +98,15 @@ Expected<int> ArmExport::run() const {
   if (!made) {
     return tl::unexpected(made.error());
   }
-  const auto text = urdf_text(made->arm);
+  if (!tip_orientation.empty() &&
+      (tip_orientation.size() != 3 || !Eigen::Vector3d::Map(tip_orientation.data()).allFinite())) {
+    return wrong_usage("--tip-orientation takes three angles: roll, pitch, yaw in rad");
+  }
+  const Eigen::Matrix3d last_from_tip =
+      tip_orientation.empty()
+          ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+          : rotation_of_roll_pitch_yaw({tip_orientation[0], tip_orientation[1], tip_orientation[2]});
+  const auto text = urdf_text(made->arm, last_from_tip);
   if (!text) {
     return bad_input(text.error().message, input);
   }
@@ -111,6 +134,11 @@ CLI::App* ArmExport::add_to(CLI::App& parser) {
   CLI::App* command = parser.add_subcommand("export", "an arm as a URDF");
   command->add_option("arm", input, "arm.toml")->required()->type_name("ARM");
   command->add_flag("--urdf", urdf, "as a URDF");
+  command
+      ->add_option("--tip-orientation", tip_orientation,
+                   "roll, pitch, yaw of the tip's frame in the last joint's frame, rad; zeros if not given")
+      ->delimiter(',')
+      ->type_name("R,P,Y");
   rounding.add_to(*command);
   command->add_option("-o,--output", output, "file to write; printed where it is not given")->type_name("FILE");
   command->add_flag("--quiet,-q", quiet, "print nothing but errors");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "acquisition/arm/exchange/urdf_read.h"
 #include "app/arm/rounding_options.h"
@@ -21,6 +22,7 @@ struct ArmImport {
 /// `artcal arm export`: a URDF from an arm file.
 struct ArmExport {
   std::string input, output;
+  std::vector<double> tip_orientation;  ///< roll, pitch, yaw, rad
   RoundingOptions rounding;
   bool urdf = false, quiet = false;
 

@@ -14,12 +14,19 @@ void RoundingOptions::add_to(CLI::App& parser) {
   parser.add_option("--steps", steps, "round to steps, such as length=0.001in,angle=19.8arcsec")->type_name("STEPS");
 }
 
+Expected<void> RoundingOptions::check() const {
+  if (digits >= 0 && !steps.empty()) {
+    return wrong_usage("--digits and --steps both say how to round, expected one of them");
+  }
+  return steps.empty() ? Expected<void>{} : steps_of_text(steps).map([](const RoundingSteps&) {});
+}
+
 Expected<RoundedArm> RoundingOptions::rounded_arm(const Arm& arm) const {
   if (!are_given()) {
     return RoundedArm{arm, ""};
   }
-  if (digits >= 0 && !steps.empty()) {
-    return wrong_usage("--digits and --steps both say how to round, expected one of them");
+  if (auto checked = check(); !checked) {
+    return tl::unexpected(checked.error());
   }
   const auto rounding = digits >= 0 ? Expected<RoundingSteps>(steps_of_digits(digits)) : steps_of_text(steps);
   if (!rounding) {

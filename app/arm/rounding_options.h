@@ -21,7 +21,9 @@ struct RoundingOptions {
 
   void add_to(CLI::App& parser);
   [[nodiscard]] bool are_given() const { return digits >= 0 || !steps.empty(); }
-  /// The arm unchanged where neither is given. Usage: both, or steps that cannot be read.
+  /// Usage: both, or steps that cannot be read.
+  [[nodiscard]] Expected<void> check() const;
+  /// The arm unchanged where neither is given. Usage as check().
   [[nodiscard]] Expected<RoundedArm> rounded_arm(const Arm& arm) const;
 };
 

@@ -10,6 +10,7 @@
 
 #include "acquisition/arm/arm_file.h"
 #include "acquisition/recording/recording_file.h"
+#include "app/arm/rounding_options.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
 #include "app/requests/access_option.h"
@@ -38,6 +39,7 @@ struct Request {
   RecordingOptions access;
   std::string recording;
   std::string arm_out;
+  RoundingOptions rounding;
   DccRequest dcc;
   std::string report;
   IdentifyChoices choices;
@@ -67,7 +69,38 @@ InspectedIdentification identify_with_progress(const Recording& recording, const
   return run_inspected(recording, constraints, options);
 }
 
+// Writes the arm where it is asked for, rounded where that is; what a person is told of it. The covariance is that of
+// the parameters before: a rounded arm has none.
+Expected<std::string> write_arm(const Request& request, const Recording& recording, const IdentifyOptions& options,
+                                const Identification& result) {
+  if (request.arm_out.empty()) {
+    return "The identified arm was not written; add -o ARM.toml to keep it.";
+  }
+  const auto made = request.rounding.rounded_arm(result.arm);
+  if (!made) {
+    return tl::unexpected(made.error());
+  }
+  const bool is_rounded = request.rounding.are_given();
+  const std::string text = arm_file_text(
+      made->arm, is_rounded ? std::nullopt : std::optional(arm_identification(recording, options, result)));
+  return write_file(request.arm_out, text).map([&] {
+    return fmt::format("{}The {} arm is in {}{}.", made->said, is_rounded ? "rounded" : "identified", request.arm_out,
+                       is_rounded ? ", without its covariance" : "");
+  });
+}
+
+// Before the arm is identified, which may take long.
+Expected<void> check_rounding(const Request& request) {
+  if (request.rounding.are_given() && request.arm_out.empty()) {
+    return wrong_usage("--digits and --steps round the arm that is written; add -o ARM.toml");
+  }
+  return request.rounding.check();
+}
+
 Expected<int> identify_and_tell(const Request& request) {
+  if (auto checked = check_rounding(request); !checked) {
+    return tl::unexpected(checked.error());
+  }
   const auto start = Clock::now();
   auto recording = read_recording(request.recording, request.access.of(request.recording));
   if (!recording) {
@@ -97,12 +130,9 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(result.error());
   }
   const Timings timings{reading_seconds, seconds_since(start) - reading_seconds};
-  if (!request.arm_out.empty()) {
-    if (auto written =
-            write_file(request.arm_out, arm_file_text(result->arm, arm_identification(*recording, *options, *result)));
-        !written) {
-      return tl::unexpected(written.error());
-    }
+  const auto said_of_arm = write_arm(request, *recording, *options, *result);
+  if (!said_of_arm) {
+    return tl::unexpected(said_of_arm.error());
   }
   if (*certificate) {
     const DccDocument document = dcc_of(*recording, *constraints, *result, **certificate);
@@ -124,10 +154,7 @@ Expected<int> identify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  request.common.say(fmt::format("{}{}\n", to_text(*recording, *constraints, *result),
-                                 request.arm_out.empty()
-                                     ? "The identified arm was not written; add -o ARM.toml to keep it."
-                                     : fmt::format("The identified arm is in {}.", request.arm_out)));
+  request.common.say(fmt::format("{}{}\n", to_text(*recording, *constraints, *result), *said_of_arm));
   return 0;
 }
 
@@ -147,6 +174,7 @@ Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
   parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
+  request->rounding.add_to(parser);
   parser.add_option("--report", request->report, "write a report (HTML, prints on A4)")->type_name("FILE.html");
   request->dcc.add_to(parser);
   request->choices.add_to(parser, "Options");

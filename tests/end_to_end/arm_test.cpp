@@ -76,6 +76,27 @@ TEST_F(ArmCommand, ImportsAndExportsTheSameRobot) {
   EXPECT_NEAR(*arm->arm.joints[2].highest, 400.0, 1e-12);
 }
 
+// The tool of the robot is turned by 1.57 rad about y before its last joint: by hand, the last joint's frame is the
+// tool's.
+TEST_F(ArmCommand, SaysTheTipsOrientationAndWritesIt) {
+  std::string turned = robot;
+  turned.replace(turned.find("xyz=\"0.01 0.02 0.15\""), 20, "xyz=\"0.01 0.02 0.15\" rpy=\"0.25 -0.5 0.75\"");
+  write("robot.urdf", turned);
+  const Ended in = run({"arm", "import", "robot.urdf", "-o", "arm.toml"});
+  ASSERT_EQ(in.exit_code, 0) << in.err;
+  const std::size_t at = in.out.find("--tip-orientation ");
+  ASSERT_NE(at, std::string::npos) << in.out;
+  const std::string angles = in.out.substr(at + 18, in.out.find(' ', at + 18) - at - 18);
+  ASSERT_EQ(run({"arm", "export", "arm.toml", "--urdf", "--tip-orientation", angles, "-o", "again.urdf"}).exit_code, 0);
+  const Ended again = run({"arm", "import", "again.urdf", "-o", "again.toml"});
+  // The frames of an arm's file are those of the first one, and so are the angles, to the last digits of the text.
+  const std::size_t there = again.out.find("--tip-orientation ");
+  ASSERT_NE(there, std::string::npos) << again.out;
+  EXPECT_NEAR(std::stod(again.out.substr(there + 18)), std::stod(angles), 1e-12);
+  EXPECT_THAT(run({"arm", "export", "arm.toml", "--urdf", "--tip-orientation", "1,2"}).err,
+              HasSubstr("--tip-orientation takes three angles"));
+}
+
 TEST_F(ArmCommand, RefusesWhatItCannotDo) {
   write("robot.urdf", robot);
   const auto refusal = [&](const std::vector<std::string>& arguments, int code) {

@@ -136,6 +136,30 @@ TEST_F(Identify, WritesTheArmAndTheResult) {
 }
 
 // An arm identified with its encoders' harmonics carries them in its file, to every command that takes an arm.
+// As artcal arm round does with the arm that is written whole.
+TEST_F(Identify, WritesARoundedArm) {
+  take("two-socket-bar");
+  const auto identified = [&](const std::vector<std::string>& more) {
+    return run(with(with(bar, {"--no-leave-out"}), more));
+  };
+  ASSERT_EQ(identified({"-o", "whole.toml"}).exit_code, 0);
+  for (const std::vector<std::string>& rounding :
+       {std::vector<std::string>{"--digits", "2"}, {"--steps", "length=0.01in,angle=1arcsec"}}) {
+    const Ended ended = identified(with(rounding, {"-o", "rounded.toml"}));
+    ASSERT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_THAT(ended.out, HasSubstr("rounding moves the tip by "));
+    EXPECT_THAT(ended.out, HasSubstr("The rounded arm is in rounded.toml, without its covariance."));
+    ASSERT_EQ(run(with({"arm", "round", "whole.toml", "-o", "again.toml"}, rounding)).exit_code, 0);
+    EXPECT_EQ(text_of("rounded.toml"), text_of("again.toml"));
+    EXPECT_NE(text_of("rounded.toml"), text_of("whole.toml"));
+  }
+  EXPECT_THAT(identified({"--digits", "2"}).err, HasSubstr("round the arm that is written; add -o ARM.toml"));
+  EXPECT_THAT(identified({"--digits", "2", "--steps", "length=1mm", "-o", "no.toml"}).err,
+              HasSubstr("expected one of them"));
+  EXPECT_THAT(identified({"--steps", "length=1", "-o", "no.toml"}).err, HasSubstr("--steps has \"length=1\""));
+  EXPECT_FALSE(std::filesystem::exists(file("no.toml")));
+}
+
 TEST_F(Identify, RicherModelsAreInTheArmThatIsWritten) {
   take("two-socket-bar");
   const Ended ended = run(

@@ -30,7 +30,7 @@ struct ChainAxis {
 
 struct ChainAxes {
   std::vector<ChainAxis> moving;
-  Eigen::Vector3d tip;
+  Rigid base_from_tip;
 };
 
 ChainAxes axes_of(const JointChain& chain) {
@@ -43,7 +43,7 @@ ChainAxes axes_of(const JointChain& chain) {
           {&joint, (base_from_joint.rotation * joint.axis_in_joint).normalized(), base_from_joint.translation});
     }
   }
-  axes.tip = base_from_joint.translation;
+  axes.base_from_tip = base_from_joint;
   return axes;
 }
 
@@ -155,7 +155,9 @@ Expected<ChainArm> arm_of_chain(const JointChain& chain, bool base_on_first_axis
     joint.sign = base_from_link.rotation.col(2).dot(axis.direction) < 0.0 ? -1.0 : 1.0;
     const Rigid link_from_base = base_from_link.inverse();
     if (i + 1 == axes.moving.size()) {
-      arm.probes.push_back({truncated(80, chain.tip), without_rounding(link_from_base * axes.tip), 0.0, false});
+      arm.probes.push_back(
+          {truncated(80, chain.tip), without_rounding(link_from_base * axes.base_from_tip.translation), 0.0, false});
+      result.last_from_tip = link_from_base.rotation * axes.base_from_tip.rotation;
       break;
     }
     const ChainAxis& next = axes.moving[i + 1];

@@ -37,6 +37,9 @@ struct JointChain {
 struct ChainArm {
   Arm arm;
   Rigid base_from_arm;
+  /// How the chain's tip is turned in the last joint's frame. An arm's file has the place of a tip and no orientation:
+  /// no reading depends on it.
+  Eigen::Matrix3d last_from_tip = Eigen::Matrix3d::Identity();
 };
 Expected<ChainArm> arm_of_chain(const JointChain& chain, bool base_on_first_axis = false);
 

@@ -85,7 +85,7 @@ std::string inexpressible(const Arm& arm, std::size_t i) {
 
 }  // namespace
 
-Expected<std::string> urdf_text(const Arm& arm) {
+Expected<std::string> urdf_text(const Arm& arm, const Eigen::Matrix3d& last_from_tip) {
   std::string links = "  <link name=\"link_0\"/>\n";
   std::string joints;
   Rigid before;  // from the last joint's frame to the next one's
@@ -107,7 +107,7 @@ Expected<std::string> urdf_text(const Arm& arm) {
   }
   for (std::size_t k = 0; k < arm.probes.size(); ++k) {
     const std::string name = arm.probes.size() == 1 ? "tip" : fmt::format("tip_{}", k + 1);
-    const Rigid tip{Eigen::Matrix3d::Identity(), arm.probes[k].tip_in_last};
+    const Rigid tip{last_from_tip, arm.probes[k].tip_in_last};
     links += fmt::format("  <link name=\"{}\"/>  <!-- centre of the tip of the probe {} -->\n", name, k + 1);
     joints += fmt::format(
         "  <joint name=\"{0}_joint\" type=\"fixed\">\n    <parent link=\"link_{1}\"/>\n    <child link=\"{0}\"/>\n{2}  "

@@ -35,9 +35,9 @@ Eigen::Isometry3d pose_of(const urdf::Pose& pose) {
   return at;
 }
 
-// The tip link's origin in the base link, mm; q in the order of the moving joints from the base.
-Eigen::Vector3d tip_by_urdfdom(const urdf::ModelInterface& model, const std::string& tip,
-                               const std::vector<double>& q) {
+// The tip link's frame in the base link, mm; q in the order of the moving joints from the base.
+Eigen::Isometry3d frame_by_urdfdom(const urdf::ModelInterface& model, const std::string& tip,
+                                   const std::vector<double>& q) {
   std::vector<urdf::JointConstSharedPtr> joints;
   for (auto link = model.getLink(tip); link->parent_joint; link = link->getParent()) {
     joints.insert(joints.begin(), link->parent_joint);
@@ -53,7 +53,12 @@ Eigen::Vector3d tip_by_urdfdom(const urdf::ModelInterface& model, const std::str
       base_from_here = base_from_here * Eigen::AngleAxisd(q[next++], axis.normalized());
     }
   }
-  return base_from_here.translation();
+  return base_from_here;
+}
+
+Eigen::Vector3d tip_by_urdfdom(const urdf::ModelInterface& model, const std::string& tip,
+                               const std::vector<double>& q) {
+  return frame_by_urdfdom(model, tip, q).translation();
 }
 
 Eigen::Vector3d tip_of(const Arm& arm, const std::vector<double>& q, int probe = 0) {
@@ -175,6 +180,31 @@ TEST(Urdf, ExpandedFilesAreRead) {
       {});
   ASSERT_TRUE(chain) << chain.error().text();
   EXPECT_EQ(chain->joints.size(), 1u);
+}
+
+// In and out again: not the tips alone but their frames are where urdfdom has those of the first file.
+TEST(Urdf, TheTipsOrientationSurvives) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    RandomStream random(seed, "urdf frames");
+    const std::string text = random_robot(random);
+    const auto chain = read_urdf(written("frames.urdf", text), {});
+    ASSERT_TRUE(chain) << chain.error().text();
+    const auto made = arm_of_chain(*chain);
+    ASSERT_TRUE(made) << made.error().text();
+    const auto again = urdf_text(made->arm, made->last_from_tip);
+    ASSERT_TRUE(again) << again.error().text();
+    const auto before = urdf::parseURDF(text), after = urdf::parseURDF(*again);
+    ASSERT_TRUE(before && after);
+    for (int k = 0; k < 10; ++k) {
+      std::vector<double> q;
+      for (const Joint& joint : made->arm.joints) {
+        q.push_back(random.uniform(-2.0, 2.0) * (joint.is_prismatic() ? 500.0 : 1.0));
+      }
+      const Eigen::Isometry3d one = frame_by_urdfdom(*before, "l8", q), other = frame_by_urdfdom(*after, "tip", q);
+      EXPECT_LT((one.linear() - other.linear()).cwiseAbs().maxCoeff(), 1e-12) << seed;
+      EXPECT_LT((one.translation() - other.translation()).norm(), 1e-9) << seed;
+    }
+  }
 }
 
 // With the base laid on a first axis anywhere: the same tips by that base's place.
