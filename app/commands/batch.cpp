@@ -16,8 +16,8 @@
 #include "app/batch/summary_text.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
+#include "app/output/stop_on_signal.h"
 #include "app/requests/access_option.h"
-#include "app/results/uncertainty/monte_carlo_progress.h"
 #include "app/store/where.h"
 
 namespace artcal {

@@ -10,6 +10,7 @@
 #include "app/output/capture.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
+#include "app/output/stop_on_signal.h"
 #include "app/requests/referenced_files.h"
 #include "app/results/identification/identification_run.h"
 #include "app/results/uncertainty/monte_carlo_progress.h"

@@ -13,14 +13,13 @@
 #include "app/requests/named_values.h"
 #include "app/requests/referenced_files.h"
 #include "app/requests/stand_options.h"
+#include "app/requests/stated_noise.h"
 #include "app/results/planning/plan_result.h"
 #include "artefacts/artefact/artefact_file.h"
 #include "artefacts/constraints/read_constraints.h"
 #include "artefacts/simulation/plan/plan_file.h"
 #include "artefacts/simulation/possible_session.h"
 #include "core/files/size_limits.h"
-#include "core/plausible.h"
-#include "core/text/decimal_comma.h"
 #include "core/text/in_quotes.h"
 #include "core/toml/toml_document.h"
 #include "core/unit_names.h"
@@ -104,27 +103,12 @@ Expected<Possible> possible_of(const Request& request) {
   return possible_of_plan(request);
 }
 
-Expected<double> noise_of(const std::string& text, const char* option,
-                          std::optional<double> (*quantity)(std::string_view)) {
-  const auto value = quantity(text);
-  if (!value || !(*value > 0.0)) {
-    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit{}", option, in_quotes(text),
-                                   decimal_comma_question(text)));
-  }
-  const bool is_angle = quantity == angle_quantity;
-  if (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value)) {
-    return wrong_usage(fmt::format("{} is {}, expected a standard deviation of {}; is the unit right?", option,
-                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
-  }
-  return *value;
-}
-
 Expected<Noise> noise_of(const Request& request) {
-  const auto encoder = noise_of(request.encoder_noise, "--encoder-noise", angle_quantity);
+  const auto encoder = stated_angle_noise(request.encoder_noise, "--encoder-noise");
   if (!encoder) {
     return tl::unexpected(encoder.error());
   }
-  const auto probing = noise_of(request.probing_noise, "--probing-noise", length_quantity);
+  const auto probing = stated_length_noise(request.probing_noise, "--probing-noise");
   if (!probing) {
     return tl::unexpected(probing.error());
   }

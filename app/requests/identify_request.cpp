@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/requests/model_asked.h"
+#include "app/requests/stated_noise.h"
 #include "app/results/identification/identification_run.h"
-#include "core/plausible.h"
-#include "core/unit_names.h"
 
 namespace artcal {
 namespace {
@@ -15,24 +14,16 @@ Expected<Noise> noise_of(const IdentifyChoices& choices, const Recording& record
   if (choices.noise.empty() && choices.encoder_noise.empty() && choices.probing_noise.empty()) {
     return recording.noise;
   }
-  const auto given = [](const std::string& text, auto read) { return text.empty() ? std::nullopt : read(text); };
-  const auto as_length = [](const std::string& text) { return length_quantity(text); };
-  const auto as_angle = [](const std::string& text) { return angle_quantity(text); };
-  const Noise noise{given(choices.noise, as_length), given(choices.encoder_noise, as_angle),
-                    given(choices.probing_noise, as_length)};
-  const bool read = noise.reading.has_value() != choices.noise.empty() &&
-                    noise.encoder.has_value() != choices.encoder_noise.empty() &&
-                    noise.probing.has_value() != choices.probing_noise.empty();
-  if (!read || noise.reading.value_or(1.0) <= 0.0 || noise.encoder.value_or(1.0) <= 0.0 ||
-      noise.probing.value_or(1.0) <= 0.0) {
-    return wrong_usage(
-        "a noise is a number above zero with its unit, such as --noise \"15 um\" or --encoder-noise \"2 arcsec\"");
-  }
-  const auto is_plausible = [](const std::optional<double>& value, auto is) { return !value || is(*value); };
-  if (!is_plausible(noise.reading, plausible::is_length_u) || !is_plausible(noise.encoder, plausible::is_angle_u) ||
-      !is_plausible(noise.probing, plausible::is_length_u)) {
-    return wrong_usage(fmt::format("a noise is a standard deviation of {} or, of an encoder, {}; is the unit right?",
-                                   plausible::length_range, plausible::angle_range));
+  Noise noise;
+  const auto put = [](const std::string& text, const char* option, auto read, std::optional<double>& into) {
+    return text.empty() ? Expected<void>() : read(text, option).map([&](double value) { into = value; });
+  };
+  for (const auto& done : {put(choices.noise, "--noise", stated_length_noise, noise.reading),
+                           put(choices.encoder_noise, "--encoder-noise", stated_angle_noise, noise.encoder),
+                           put(choices.probing_noise, "--probing-noise", stated_length_noise, noise.probing)}) {
+    if (!done) {
+      return tl::unexpected(done.error());
+    }
   }
   if (noise.reading.has_value() == noise.encoder.has_value() ||
       noise.encoder.has_value() != noise.probing.has_value()) {

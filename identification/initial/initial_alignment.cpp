@@ -2,26 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "identification/identifiability/coupling.h"
 #include "identification/identifiability/weak_parameters.h"
+#include "identification/initial/coarse_fit.h"
 #include "identification/initial/nuisance_estimation.h"
 #include "identification/least_squares/problem.h"
 #include "identification/least_squares/residual.h"
 #include "identification/problem/tips.h"
-#include "identification/problem/weights.h"
 
 namespace artcal {
 namespace {
 
 // Below this share of ball's and tip's radius the readings are surely on the side of the ball where the arm has them.
 constexpr double round_enough = 0.03;
-// Of a centre taken to lie along the stylus or at the tip, as a share of both radii.
-constexpr double centre_scatter = 0.5;
-constexpr double ball_of_unknown_size = 12.7;  // mm, in that place only
-constexpr double near_enough = 0.01;           // mm; the identification that follows takes it from there
+constexpr double near_enough = 0.01;  // mm; the identification that follows takes it from there
 constexpr int iterations = 30;
 constexpr double firmly = 1e4;  // times a prior's weight: what it is on stays
 // What counts as far from a sphere, mm, round by round: a wide loss finds the way, a narrow one lets go of balls on the
@@ -29,10 +25,6 @@ constexpr double firmly = 1e4;  // times a prior's weight: what it is on stays
 constexpr double narrowing[] = {3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.3};
 
 bool is_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
-
-double radii_of(const FeatureConstraint& feature, double tip_radius) {
-  return tip_radius + (feature.radius > 0.0 ? feature.radius : ball_of_unknown_size);
-}
 
 double rms_of(const Tips& tips, const Unknowns& unknowns) {
   const FeatureConstraint& feature = *tips.feature;
@@ -61,20 +53,6 @@ std::vector<Parameter> identifiable(const Recording& recording, const Constraint
   return free ? *free : std::vector<Parameter>{};
 }
 
-// Readings count by `sigma`, and what is certified by no more than the readings on it: held to a micrometre,
-// more distances than the centres on a line need are a valley that is flat across and takes twice the steps.
-Weights weights_of(const Constraints& constraints, double sigma) {
-  Weights weights = uniform_weights(constraints, sigma);
-  const Weights unit = unit_weights(constraints);
-  for (std::size_t d = 0; d < weights.distances.size(); ++d) {
-    weights.distances[d] = std::min(weights.distances[d], unit.distances[d] / sigma);
-  }
-  for (std::size_t s = 0; s < weights.shared.size(); ++s) {
-    weights.shared[s] = std::min(weights.shared[s], unit.shared[s] / sigma);
-  }
-  return weights;
-}
-
 /// A fit on its way: where it is, what it may move, and the prior on that.
 struct State {
   System system;
@@ -87,7 +65,7 @@ struct State {
 
 // One fit from where the state is; false where the numbers break down.
 bool fit(State& state, double sigma, Loss loss) {
-  Solution solution = solve(state.system, weights_of(*state.system.constraints, sigma), state.x, state.unknowns,
+  Solution solution = solve(state.system, coarse_weights(*state.system.constraints, sigma), state.x, state.unknowns,
                             {loss, iterations, near_enough, state.prior});
   if (solution.termination == Termination::Failed || !solution.x.allFinite()) {
     return false;
@@ -95,35 +73,6 @@ bool fit(State& state, double sigma, Loss loss) {
   state.x = std::move(solution.x);
   state.unknowns = std::move(solution.unknowns);
   return true;
-}
-
-// Gives each ball's readings a probe so long that its tip is at the ball's centre if the stylus points there.
-void lengthen_to_centres(const Constraints& constraints, System& system) {
-  std::map<std::pair<int, double>, int> made;
-  for (const FeatureConstraint& feature : constraints.features) {
-    for (int k = 0; is_ball(feature) && k < feature.size(); ++k) {
-      int& probe = system.probes[feature.readings[k]];
-      auto& probes = system.start.probes;
-      const double beyond = radii_of(feature, probes[probe].radius);
-      const auto [entry, is_new] = made.try_emplace({probe, beyond}, static_cast<int>(probes.size()));
-      if (is_new) {
-        Probe longer = probes[probe];
-        const double length = longer.tip_in_last.norm();
-        longer.tip_in_last +=
-            beyond * (length > 0.0 ? Eigen::Vector3d(longer.tip_in_last / length) : Eigen::Vector3d::UnitZ());
-        probes.push_back(std::move(longer));
-      }
-      probe = entry->second;
-    }
-  }
-}
-
-double largest_radii(const Constraints& constraints, const Arm& arm) {
-  double largest = 0.0;
-  for (const FeatureConstraint& feature : constraints.features) {
-    largest = std::max(largest, is_ball(feature) ? radii_of(feature, arm.probes.front().radius) : 0.0);
-  }
-  return largest;
 }
 
 // The arm fitted to the centres as points, the tip fixed.
@@ -142,7 +91,7 @@ std::optional<State> fit_to_centres(Alignment alignment, const Recording& record
   state.unknowns = std::move(*unknowns);
   state.x = Eigen::VectorXd::Zero(state.system.arm_size());
   state.prior = prior_weights(state.system);
-  const double sigma = std::max(1.0, centre_scatter * largest_radii(constraints, start));
+  const double sigma = centre_deviation(constraints, start);
   if (alignment == Alignment::JointsFirst) {
     State offsets = state;
     for (int i = 0; i < state.system.arm_size(); ++i) {

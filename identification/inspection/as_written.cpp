@@ -30,6 +30,10 @@ IdentifyOptions for_trial(const IdentifyOptions& options) {
   return trial;
 }
 
+bool is_another_arm(const Arm& nominal, const Arm& found) {
+  return !is_plausible(nominal, found, parameters_with_radii(nominal));
+}
+
 bool is_misfit(const Error& error) {
   return error.message.find("no arm fits") != std::string::npos ||
          error.message.find("did not converge") != std::string::npos;
@@ -42,7 +46,9 @@ AsWritten fit_as_written(const Recording& recording, const Constraints& constrai
     const bool misfit = estimate.error().code == ErrorCode::NoSolution && (is_misfit(estimate.error()) || gross);
     return {misfit ? std::numeric_limits<double>::infinity() : 0.0, misfit, std::nullopt};
   }
-  return {residual_size(*estimate, options), !estimate->misfits.empty(), estimate->fit.arm};
+  const bool misfit = !estimate->misfits.empty();
+  return {residual_size(*estimate, options), misfit, estimate->fit.arm,
+          misfit && is_another_arm(recording.arm, estimate->fit.arm), misfit ? estimate->misfits.front() : ""};
 }
 
 bool is_unexplained(const AsWritten& as_written, const Recording& recording, const IdentifyOptions& options) {

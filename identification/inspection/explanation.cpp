@@ -9,28 +9,20 @@
 #include <fmt/format.h>
 
 #include "core/text/in_quotes.h"
-#include "identification/estimation.h"
-#include "identification/evaluation/misfit.h"
-#include "identification/initial/initial_alignment.h"
 #include "identification/inspection/hypotheses/artefact_hypotheses.h"
 #include "identification/inspection/hypotheses/encoder_slip.h"
 #include "identification/inspection/hypotheses/hypothesis.h"
 #include "identification/inspection/hypotheses/joint_hypotheses.h"
 #include "identification/inspection/hypotheses/label_hypotheses.h"
-#include "identification/least_squares/arm_fit.h"
-#include "identification/problem/preparation.h"
+#include "identification/inspection/trial_fit.h"
 
 namespace artcal {
 namespace {
 
 constexpr double no_fit = std::numeric_limits<double>::infinity();
-constexpr double far_better = 4.0;
-constexpr double surely_better = 30.0;
-constexpr double surely_as_stated = 2.0;
-constexpr double worth_a_search = 2.0;
-constexpr int quick_iterations = 30;
 constexpr double as_good = 1.5;            // sizes of residuals that do not tell two hypotheses apart
 constexpr double better_by_nominal = 0.6;  // of the discrepancy, to be tried with a fit
+constexpr double surely_by_nominal = 0.1;
 constexpr std::size_t max_fitted = 4;
 constexpr std::size_t max_readings = 1500;
 constexpr std::size_t max_placements = 8;
@@ -51,12 +43,12 @@ Recording thinned(const Recording& recording) {
   return readings_where(recording, [&](int i) { return kept[static_cast<std::size_t>(i)]; });
 }
 
-/// A hypothesis and what the search for an arm makes of it.
-struct Trial {
-  Hypothesis hypothesis;
-  double size = no_fit;
-  Arm arm;
-  bool is_as_stated = false;  ///< the residuals are of the size of the stated noise
+/// A recording without a mistake that was found, where its residuals are still too large.
+struct Remainder {
+  Finding found;
+  Bound bound;
+  IdentifyOptions options;
+  AsWritten as_written;
 };
 
 /// The search among all hypotheses about one recording.
@@ -64,16 +56,19 @@ class Search {
  public:
   Search(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
          const AsWritten& as_written)
-      : recording_(recording), constraints_(constraints), options_(for_trial(options)), as_written_(as_written) {}
+      : recording_(recording),
+        constraints_(constraints),
+        options_(for_trial(options)),
+        as_written_(as_written),
+        fits_(recording_, constraints_, options_, as_written_) {}
 
-  Explanation run_radii() {
+  void run_radii() {
     if (!free_radius_hypotheses(constraints_).empty()) {  // there are balls of known diameter
       try_all_radii();
     }
-    return {best(), excluded_};
   }
 
-  Explanation run() {
+  void run() {
     try_gross();
     if (!is_explained()) {
       try_local();
@@ -84,16 +79,60 @@ class Search {
     if (!is_explained()) {
       try_all(other_table_hypotheses(recording_), recording_.files.size() > 1 ? "a table of another arm or state" : "");
     }
-    return {best(), excluded_};
+  }
+
+  [[nodiscard]] Explanation explanation() const {
+    const Trial* named = best();
+    return {named != nullptr ? Findings{finding_of(*named)} : Findings{}, excluded_};
+  }
+
+  [[nodiscard]] std::optional<Remainder> remainder() const {
+    const Trial* named = best();
+    if (named == nullptr) {
+      return std::nullopt;
+    }
+    AsWritten as_written{named->size, false, named->arm};
+    auto bound = applied(named->hypothesis, recording_, constraints_.artefacts);
+    if (!bound || !is_unexplained(as_written, recording_, options_)) {
+      return std::nullopt;
+    }
+    IdentifyOptions options = options_;
+    options.model.insert(options.model.end(), named->hypothesis.model.begin(), named->hypothesis.model.end());
+    return Remainder{finding_of(*named), std::move(*bound), std::move(options), std::move(as_written)};
+  }
+
+  // Where nothing explains the readings: without the gross mistake that the nominal arm shows, if there is one. A
+  // second behind it may be all that keeps an arm from fitting.
+  [[nodiscard]] std::optional<Remainder> remainder_by_nominal() const {
+    if (!accepted_.empty() || !nearest_) {
+      return std::nullopt;
+    }
+    auto bound = applied(nearest_->hypothesis, recording_, constraints_.artefacts);
+    if (!bound) {
+      return std::nullopt;
+    }
+    const Hypothesis& hypothesis = nearest_->hypothesis;
+    Finding found{hypothesis.kind, hypothesis.where,
+                  fmt::format("{}, the readings deviate by {:.3g} mm from what the nominal arm makes of them, and by "
+                              "{:.3g} mm as written. {}",
+                              hypothesis.text, nearest_->after, nearest_->before, hypothesis.remedy)};
+    AsWritten as_written = fit_as_written(bound->recording, bound->constraints, options_);
+    return Remainder{std::move(found), std::move(*bound), options_, std::move(as_written)};
   }
 
  private:
   void try_gross() {
     const auto& artefacts = constraints_.artefacts;
     try_ranked(joint_hypotheses(recording_), "joint angles in another unit, order or sign");
-    try_ranked(offset_hypotheses(recording_, constraints_), "a joint's zero");
-    try_ranked(length_hypotheses(recording_, artefacts), "lengths in another unit, positions stated as steps");
-    try_all_radii();
+    if (!is_explained()) {
+      try_ranked(length_hypotheses(recording_, artefacts), "lengths in another unit, positions stated as steps");
+    }
+    if (!is_explained()) {
+      try_ranked(offset_hypotheses(recording_, constraints_), "a joint's zero");
+    }
+    if (!is_explained()) {
+      try_all_radii();
+    }
   }
 
   void try_all_radii() {
@@ -110,11 +149,8 @@ class Search {
     }
   }
 
-  // A choice or a number that leaves the stated noise, or next to nothing of the residuals: no other is needed.
   [[nodiscard]] bool is_explained() const {
-    return std::any_of(accepted_.begin(), accepted_.end(), [&](const Trial& trial) {
-      return trial.hypothesis.complexity <= 1 && (trial.size * surely_better <= as_written_.size || trial.is_as_stated);
-    });
+    return std::any_of(accepted_.begin(), accepted_.end(), [&](const Trial& trial) { return fits_.is_enough(trial); });
   }
 
   void note(const std::string& excluded) {
@@ -123,52 +159,15 @@ class Search {
     }
   }
 
-  bool fit(Trial& trial, const std::optional<Arm>& start = {}) const {
-    auto bound = applied(trial.hypothesis, recording_, constraints_.artefacts);
-    if (!bound) {
-      return false;
-    }
-    IdentifyOptions options = options_;
-    options.start = start;
-    options.model.insert(options.model.end(), trial.hypothesis.model.begin(), trial.hypothesis.model.end());
-    if (!may_fit(*bound, options)) {
-      return false;
-    }
-    const auto estimate = search_solution(bound->recording, bound->constraints, options);
-    if (!estimate || !estimate->misfits.empty()) {
-      return false;
-    }
-    trial.is_as_stated = options.noise.is_given() && noise_ratio(estimate->fit, options.loss) < surely_as_stated;
-    trial.size = residual_size(*estimate, options);
-    trial.arm = estimate->fit.arm;
-    return trial.size * far_better <= as_written_.size;
-  }
-
-  // One fit from the most promising initial alignment, before the whole search.
-  [[nodiscard]] bool may_fit(const Bound& bound, const IdentifyOptions& options) const {
-    const auto alignments =
-        alignments_for(bound.recording, bound.constraints, arm_for(options.model, bound.recording.arm));
-    const auto preparation = options.start ? prepare_from(arm_for(options.model, *options.start), bound.recording,
-                                                          bound.constraints, options)
-                                           : prepare(bound.recording, bound.constraints, options, alignments.front());
-    if (!preparation) {
-      return false;
-    }
-    SolveOptions few;
-    few.max_iterations = quick_iterations;
-    const auto fit = fit_arm(bound.recording, bound.constraints, preparation->start, preparation->free, {}, few);
-    return fit && fit->noise * worth_a_search <= as_written_.size;
-  }
-
   void accept(Trial&& trial, const std::optional<Arm>& start = {}) {
-    if (fit(trial, start)) {
+    if (fits_.explains(trial, start)) {
       accepted_.push_back(std::move(trial));
     }
   }
 
   void try_all(const std::vector<Hypothesis>& hypotheses, const std::string& excluded) {
     for (const Hypothesis& hypothesis : hypotheses) {
-      accept({hypothesis, no_fit, {}, false});
+      accept({hypothesis});
     }
     note(excluded);
   }
@@ -183,18 +182,21 @@ class Search {
       if (after < better_by_nominal * before) {
         ranked.emplace_back(after, i);
       }
+      if (after < surely_by_nominal * before && (!nearest_ || after < nearest_->after)) {
+        nearest_ = Nearest{hypotheses[i], before, after};
+      }
     }
     std::sort(ranked.begin(), ranked.end());
     for (std::size_t i = 0; i < std::min(ranked.size(), max_fitted); ++i) {
-      accept({hypotheses[ranked[i].second], no_fit, {}, false});
+      accept({hypotheses[ranked[i].second]});
     }
     note(excluded);
   }
 
   void try_radii() {
     for (const Hypothesis& hypothesis : free_radius_hypotheses(constraints_)) {
-      Trial trial{hypothesis, no_fit, {}, false};
-      if (fit(trial)) {
+      Trial trial{hypothesis};
+      if (fits_.explains(trial)) {
         describe_radii(trial);
         accepted_.push_back(std::move(trial));
       }
@@ -235,8 +237,8 @@ class Search {
     }
     std::sort(ranked.begin(), ranked.end());
     for (std::size_t i = 0; i < std::min(ranked.size(), max_placements); ++i) {
-      Trial without{without_placement(recording_, ranked[i].second), no_fit, {}, false};
-      if (fit(without, as_written_.arm)) {
+      Trial without{without_placement(recording_, ranked[i].second)};
+      if (fits_.explains(without, as_written_.arm)) {
         try_within(ranked[i].second, without);
         accepted_.push_back(std::move(without));
         return;
@@ -255,10 +257,10 @@ class Search {
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const auto& one, const auto& other) { return one.first < other.first; });
     for (std::size_t i = 0; i < std::min(ranked.size(), max_fitted); ++i) {
-      accept({std::move(ranked[i].second), no_fit, {}, false}, without.arm);
+      accept({std::move(ranked[i].second)}, without.arm);
     }
     for (Hypothesis& hypothesis : move_hypotheses(recording_, constraints_, placement, without.arm)) {
-      accept({std::move(hypothesis), no_fit, {}, false}, without.arm);
+      accept({std::move(hypothesis)}, without.arm);
     }
   }
 
@@ -267,13 +269,14 @@ class Search {
   }
 
   void try_slip() {
-    if (const auto slip = find_encoder_slip(recording_, constraints_, options_)) {
-      accept({slip_hypothesis(recording_, *slip), no_fit, {}, false});
+    if (const auto slip = find_encoder_slip(recording_, constraints_, options_, as_written_)) {
+      accept({slip_hypothesis(recording_, *slip)});
     }
     note("an encoder that slipped or wrapped");
   }
 
-  [[nodiscard]] std::optional<Finding> best() const {
+  // Of those that explain the readings equally well, the one that adds least.
+  [[nodiscard]] const Trial* best() const {
     double least = no_fit;
     for (const Trial& trial : accepted_) {
       least = std::min(least, trial.size);
@@ -286,36 +289,69 @@ class Search {
         named = &trial;
       }
     }
-    if (named == nullptr) {
-      return std::nullopt;
-    }
-    const Hypothesis& hypothesis = named->hypothesis;
+    return named;
+  }
+
+  [[nodiscard]] Finding finding_of(const Trial& trial) const {
+    const Hypothesis& hypothesis = trial.hypothesis;
     const std::string before =
-        std::isfinite(as_written_.size)
-            ? fmt::format("deviations fall from {:.3g} mm to {:.2g} mm", as_written_.size, named->size)
-            : fmt::format("an arm fits with deviations of {:.2g} mm, and none does as written", named->size);
-    return Finding{hypothesis.kind, hypothesis.where,
-                   fmt::format("{}{} {}. {}", hypothesis.text, hypothesis.text.ends_with(",") ? "" : ",", before,
-                               hypothesis.remedy)};
+        std::isfinite(as_written_.size) && !as_written_.is_another_arm
+            ? fmt::format("deviations fall from {:.3g} mm to {:.2g} mm", as_written_.size, trial.size)
+            : fmt::format("an arm {}fits with deviations of {:.2g} mm, and none does as written",
+                          as_written_.is_another_arm ? "near the nominal one " : "", trial.size);
+    return {hypothesis.kind, hypothesis.where,
+            fmt::format("{}{} {}. {}", hypothesis.text, hypothesis.text.ends_with(",") ? "" : ",", before,
+                        hypothesis.remedy)};
   }
 
   const Recording& recording_;
   const Constraints& constraints_;
   IdentifyOptions options_;
   const AsWritten& as_written_;
+  TrialFits fits_;
+  /// The gross hypothesis that brings the readings nearest to what the nominal arm makes of them.
+  struct Nearest {
+    Hypothesis hypothesis;
+    double before = 0.0, after = 0.0;  ///< discrepancies, mm
+  };
+  std::optional<Nearest> nearest_;
   std::vector<Trial> accepted_;
   std::vector<std::string> excluded_;
 };
 
-template <typename Run>
+using Run = void (Search::*)();
+
+Explanation explained_of(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                         const AsWritten& as_written, Run run) {
+  Search first(recording, constraints, options, as_written);
+  (first.*run)();
+  Explanation explanation = first.explanation();
+  const bool is_named = !explanation.findings.empty();
+  const auto remainder = is_named ? first.remainder() : first.remainder_by_nominal();
+  if (!remainder) {
+    return explanation;
+  }
+  Search second(remainder->bound.recording, remainder->bound.constraints, remainder->options, remainder->as_written);
+  (second.*run)();
+  if (Explanation further = second.explanation(); !further.findings.empty()) {
+    explanation.findings = {remainder->found, std::move(further.findings.front())};
+  } else if (is_named) {
+    explanation.findings.front().text += fmt::format(
+        ". The {:.2g} mm that are left are more than a sound recording leaves: there is a second mistake, or "
+        "the arm has errors that the model lacks",
+        remainder->as_written.size);
+  }
+  return explanation;
+}
+
 Explanation explained(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
                       const AsWritten& as_written, Run run) {
   const Recording fewer = thinned(recording);
   if (fewer.readings.size() == recording.readings.size()) {
-    return (Search(recording, constraints, options, as_written).*run)();
+    return explained_of(recording, constraints, options, as_written, run);
   }
   const auto own = build_constraints(fewer, constraints.artefacts);
-  return own ? (Search(fewer, *own, options, as_written).*run)() : Explanation{};
+  return own ? explained_of(fewer, *own, options, as_written, run) : Explanation{};
 }
 
 }  // namespace

@@ -24,8 +24,7 @@ Finding no_arm_fits(const AsWritten& as_written) {
   return {FindingKind::NoArmFits, "",
           fmt::format("no arm fits these readings ({}); see the mistakes that were looked for in vain, and look at the "
                       "names of features, the certified values and the arm's file",
-                      std::isfinite(as_written.size) ? fmt::format("{:.3g} mm a coordinate are left", as_written.size)
-                                                     : "no fit converges to an arm")};
+                      std::isfinite(as_written.size) ? as_written.reason : "no fit converges to an arm")};
 }
 
 }  // namespace
@@ -75,9 +74,9 @@ Inspection inspect(const Recording& recording, const Constraints& constraints, c
   Explanation explanation = is_unexplained(as_written, recording, options)
                                 ? explain(recording, constraints, options, as_written)
                                 : Explanation{};
-  inspection.is_gross_misfit = as_written.is_misfit || explanation.finding;
-  if (explanation.finding) {
-    inspection.findings.push_back(std::move(*explanation.finding));
+  inspection.is_gross_misfit = as_written.is_misfit || !explanation.findings.empty();
+  if (!explanation.findings.empty()) {
+    append(inspection.findings, std::move(explanation.findings));
   } else if (as_written.is_misfit) {
     inspection.findings.push_back(no_arm_fits(as_written));
     inspection.excluded = std::move(explanation.excluded);

@@ -44,7 +44,11 @@ Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Re
   coupling_request.noise = noise;
   auto coupling = analyse_coupling(recording, constraints, start, coupling_request);
   if (!coupling) {
-    return tl::unexpected(coupling.error());
+    // An alignment that led to an arm of no size, say, is no fault of the arm's file.
+    const bool is_of_file = coupling.error().code != ErrorCode::BadInput ||
+                            !analyse_coupling(recording, constraints, nominal, coupling_request);
+    return is_of_file ? tl::unexpected(coupling.error())
+                      : no_solution("the initial alignment did not converge to an arm");
   }
   if (coupling->scale == ScaleState::Unidentifiable) {
     return tl::unexpected(scale_is_unidentifiable());

@@ -67,6 +67,23 @@ TEST_F(Inspect, NamesColumnsThatAreExchanged) {
   EXPECT_THAT(ended.err, AllOf(HasSubstr("q2 and q3 exchanged"), Not(HasSubstr("iterations"))));
 }
 
+// Two mistakes at once: both are named, no third, and the exit code is that of a gross misfit.
+TEST_F(Inspect, NamesASecondMistakeBehindTheFirst) {
+  take("ball-bar");
+  replace("ball-bar/readings.csv", "q1,q2,q3", "q1,q3,q2");
+  replace("ball-bar/arm.toml", "radius = 3", "radius = 0");
+  EXPECT_EQ(kinds("ball-bar/recording.toml"), "joints_exchanged tip_radius ");
+  const Ended ended = run({"identify", "ball-bar/recording.toml", "--no-leave-out"});
+  EXPECT_EQ(ended.exit_code, 4);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("q2 and q3 exchanged"), HasSubstr("Then: with a radius of 2.99")));
+}
+
+TEST_F(Inspect, NamesAWholeFileInAnotherUnit) {
+  take("ball-bar");
+  replace("ball-bar/bar.toml", "length = \"mm\"", "length = \"in\"");
+  EXPECT_EQ(kinds("ball-bar/recording.toml"), "length_unit ");
+}
+
 TEST_F(Inspect, NamesPositionsGivenAsSteps) {
   take("ball-bar");
   std::string bar = text_of("ball-bar/bar.toml");

@@ -41,10 +41,12 @@ std::vector<std::string> take_coincidence_warnings(Recording& recording) {
   return taken;
 }
 
-AsWritten as_written_of(const Identification& result) {
+AsWritten as_written_of(const Recording& recording, const Identification& result) {
   const double ratio =
       result.noise_is_given ? std::sqrt(result.chi_squared / std::max(1, result.degrees_of_freedom)) : 1.0;
-  return {result.noise * ratio, !result.misfits.empty(), result.arm};
+  const bool misfit = !result.misfits.empty();
+  return {result.noise * ratio, misfit, result.arm, misfit && is_another_arm(recording.arm, result.arm),
+          misfit ? result.misfits.front() : ""};
 }
 
 // What the readings as written are refused for, without advice in general.
@@ -61,9 +63,13 @@ std::string reasons_of(const Error& error) {
 
 constexpr std::string_view accept = "; --accept-misfit writes the arm all the same";
 
-Error explained_error(const Finding& finding, const std::optional<Error>& as_written) {
+Error explained_error(const Findings& mistakes, const std::optional<Error>& as_written) {
+  std::string text;
+  for (const Finding& finding : mistakes) {
+    text += (text.empty() ? "" : ". Then: ") + finding.sentence();
+  }
   return {ErrorCode::NoSolution,
-          fmt::format("no arm fits these readings as they are written: {}{}{}", finding.sentence(),
+          fmt::format("no arm fits these readings as they are written: {}{}{}", text,
                       as_written ? ". As written: " + reasons_of(*as_written) : "", accept),
           {}};
 }
@@ -100,17 +106,18 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
   if (failed && (run.result.error().code != ErrorCode::NoSolution || !is_misfit(run.result.error()))) {
     return run;
   }
-  const AsWritten as_written = failed ? fit_as_written(recording, constraints, options) : as_written_of(*run.result);
+  const AsWritten as_written =
+      failed ? fit_as_written(recording, constraints, options) : as_written_of(recording, *run.result);
   // Real arms without a stated noise leave a tenth of a millimetre: all but radii is left to inspect then.
   const bool is_large = options.noise.is_given() || as_written.size > large_residuals;
   if (failed || is_unexplained(as_written, recording, options)) {
     Explanation explanation = failed || is_large ? explain(recording, constraints, options, as_written)
                                                  : explain_by_radii(recording, constraints, options, as_written);
-    if (explanation.finding) {
-      findings.push_back(*explanation.finding);
+    if (!explanation.findings.empty()) {
+      findings.insert(findings.end(), explanation.findings.begin(), explanation.findings.end());
       if (!options.accept_misfit || failed) {
         const auto error = failed ? std::optional(run.result.error()) : std::nullopt;
-        run.result = tl::unexpected(explained_error(*explanation.finding, error));
+        run.result = tl::unexpected(explained_error(explanation.findings, error));
       }
     } else if (failed) {
       run.result = tl::unexpected(unexplained_error(run.result.error(), explanation.excluded));

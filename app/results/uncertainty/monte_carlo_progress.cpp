@@ -4,25 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 
 #include <fmt/format.h>
-
-#include "app/output/capture.h"
 
 namespace artcal {
 namespace {
 
 using namespace std::chrono_literals;
-
-std::atomic<bool> stop_asked{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void ask_to_stop(int signal) {
-  stop_asked.store(true);
-  std::signal(signal, SIG_DFL);
-}
 
 std::string duration(double seconds) {
   const auto whole = static_cast<long long>(std::ceil(seconds));
@@ -31,24 +20,6 @@ std::string duration(double seconds) {
 }
 
 }  // namespace
-
-// A program that calls a command handles its signals itself.
-StopOnSignal::StopOnSignal() : is_handled_(current_capture() == nullptr) {
-  stop_asked.store(false);
-  if (is_handled_) {
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
-  }
-}
-
-StopOnSignal::~StopOnSignal() {
-  if (is_handled_) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-  }
-}
-
-const std::atomic<bool>& StopOnSignal::stop() const { return stop_asked; }
 
 MonteCarloProgress::MonteCarloProgress(const std::vector<Measurand>& quantities, const TrialsWanted& wanted,
                                        std::int64_t begun_at)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <string>
 
@@ -30,19 +29,6 @@ class MonteCarloProgress {
   Clock::time_point told_ = start_;
   bool terminal_;
   bool line_open_ = false;
-};
-
-/// While it lives, Ctrl-C and SIGTERM set `stop` the first time and end the program the second.
-class StopOnSignal {
- public:
-  StopOnSignal();
-  ~StopOnSignal();
-  StopOnSignal(const StopOnSignal&) = delete;
-  StopOnSignal& operator=(const StopOnSignal&) = delete;
-  [[nodiscard]] const std::atomic<bool>& stop() const;
-
- private:
-  bool is_handled_;
 };
 
 }  // namespace artcal

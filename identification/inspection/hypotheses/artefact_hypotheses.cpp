@@ -17,9 +17,13 @@ struct OtherUnit {
   double factor;
   const char* text;  ///< what was really written
 };
-constexpr OtherUnit other_units[] = {
-    {25.4, "inch"},       {1.0 / 25.4, "mm, not inch"}, {10.0, "cm"}, {0.1, "mm, not cm"}, {1000.0, "m"},
-    {0.001, "mm, not m"}, {0.001 * 25.4, "inch, not m"}};
+constexpr OtherUnit other_units[] = {{25.4, "inch"},
+                                     {1.0 / 25.4, "mm, not inch"},
+                                     {10.0, "cm"},
+                                     {0.1, "mm, not cm"},
+                                     {1000.0, "m (or mm, where um is stated)"},
+                                     {0.001, "mm, not m"},
+                                     {0.001 * 25.4, "inch, not m"}};
 
 void scale_distances(Artefact& artefact, double factor) {
   for (CertifiedDistance& distance : artefact.distances) {

@@ -3,20 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "core/units.h"
+#include "identification/initial/coarse_fit.h"
 #include "identification/least_squares/arm_fit.h"
 #include "identification/problem/preparation.h"
 
 namespace artcal {
 namespace {
 
-constexpr std::size_t places_in_time = 6;
-constexpr std::size_t places_by_angle = 3;
-constexpr int slip_iterations = 30;
+constexpr std::size_t fitted_of_each_score = 2;
+constexpr double sphere_deviation = 1.0;  // mm; what nominal arms make of a sphere
+constexpr double surely_better = 30.0;    // than the readings as written: no other slip is tried
+constexpr int iterations = 30;
 constexpr std::size_t max_places = 400;
 constexpr double near_enough_for_slips = 1e-3;  // mm
 
@@ -24,7 +25,8 @@ Arm with_slip_joint(Arm arm, int joint) {
   Joint slip;
   slip.errors.gain = -1.0;  // turns by (1 + gain)·q
   slip.sign = arm.joints[static_cast<std::size_t>(joint)].sign;
-  // Rz of the slip stands beside Rz of the joint in both conventions.
+  slip.type = arm.joints[static_cast<std::size_t>(joint)].type;
+  // Rz (Tz) of the slip stands beside Rz and Tz of the joint in both conventions.
   const int at = arm.convention == Convention::Standard ? joint : joint + 1;
   arm.joints.insert(arm.joints.begin() + at, slip);
   return arm;
@@ -51,17 +53,6 @@ class SlipFits {
   SlipFits(const Recording& recording, const Constraints& constraints, const std::vector<Parameter>& free)
       : recording_(recording), constraints_(constraints), free_(free) {}
 
-  [[nodiscard]] std::vector<int> order(int joint, SlipOrder by) const {
-    std::vector<int> order(recording_.readings.size());
-    std::iota(order.begin(), order.end(), 0);
-    if (by == SlipOrder::Angle) {
-      std::stable_sort(order.begin(), order.end(), [&](int one, int other) {
-        return recording_.joints(joint, one) < recording_.joints(joint, other);
-      });
-    }
-    return order;
-  }
-
   // Before place `k` of the order.
   [[nodiscard]] std::optional<EncoderSlip> at(int joint, SlipOrder by, const std::vector<int>& order, std::size_t k,
                                               Loss loss) const {
@@ -85,7 +76,7 @@ class SlipFits {
     if (!fit) {
       return std::nullopt;
     }
-    slip.angle = 1.0 + fit->arm.joints[static_cast<std::size_t>(row)].errors.gain;
+    slip.change = 1.0 + fit->arm.joints[static_cast<std::size_t>(row)].errors.gain;
     slip.size = fit->noise;
     slip.arm = fit->arm;
     slip.arm.joints.erase(slip.arm.joints.begin() + row);
@@ -94,13 +85,13 @@ class SlipFits {
 
   // The place at which the readings are nearest to what the arm found makes of them.
   void find_place(EncoderSlip& best) const {
-    const auto order_of_best = order(best.joint, best.order);
+    const auto order_of_best = readings_in_order(recording_, best.joint, best.order);
     double least = std::numeric_limits<double>::infinity();
     std::size_t place = 0;
     for (std::size_t step = std::max<std::size_t>(1, order_of_best.size() / max_places), k = step;
          k < order_of_best.size(); k += step) {
       EncoderSlip slip = placed(best.joint, best.order, order_of_best, k);
-      slip.angle = best.angle;
+      slip.change = best.change;
       const auto bound = applied(slip_hypothesis(recording_, slip), recording_, constraints_.artefacts);
       if (const double found = bound ? discrepancy(*bound, best.arm) : least; found < least) {
         least = found;
@@ -127,27 +118,61 @@ class SlipFits {
   const std::vector<Parameter>& free_;
 };
 
+// The places to fit, from the best score of each list on; of each joint and order one.
+std::vector<StepScore> candidates(const std::vector<std::vector<StepScore>>& lists) {
+  std::vector<StepScore> chosen;
+  for (std::size_t rank = 0; rank < fitted_of_each_score; ++rank) {
+    for (const auto& scores : lists) {
+      const bool is_new =
+          rank < scores.size() && std::none_of(chosen.begin(), chosen.end(), [&](const StepScore& other) {
+            return other.joint == scores[rank].joint && other.order == scores[rank].order;
+          });
+      if (is_new) {
+        chosen.push_back(scores[rank]);
+      }
+    }
+  }
+  return chosen;
+}
+
+std::vector<StepScore> candidates(const Recording& recording, const Constraints& constraints, const Arm& nominal,
+                                  const std::vector<Parameter>& free, const std::optional<Arm>& as_written) {
+  const Weights weights = coarse_weights(constraints, sphere_deviation);
+  std::vector<std::vector<StepScore>> lists;
+  const System at_nominal = make_system(recording, constraints, nominal, free);
+  lists.push_back(score_steps(at_nominal, weights, recording));
+  if (std::any_of(constraints.features.begin(), constraints.features.end(),
+                  [](const auto& feature) { return feature.kind == ConstraintKind::OnBall; })) {
+    const Constraints points = balls_as_points(constraints);
+    System to_centres = make_system(recording, points, nominal, free);
+    lengthen_to_centres(constraints, to_centres);
+    lists.push_back(score_steps(to_centres, coarse_weights(points, centre_deviation(constraints, nominal)), recording));
+  }
+  if (as_written) {
+    lists.push_back(score_steps(make_system(recording, constraints, *as_written, free), weights, recording));
+  }
+  return candidates(lists);
+}
+
 }  // namespace
 
 std::optional<EncoderSlip> find_encoder_slip(const Recording& recording, const Constraints& constraints,
-                                             const IdentifyOptions& options) {
-  const auto preparation = prepare_from(arm_for(options.model, recording.arm), recording, constraints, options);
+                                             const IdentifyOptions& options, const AsWritten& as_written) {
+  const Arm nominal = arm_for(options.model, recording.arm);
+  const auto preparation = prepare_from(nominal, recording, constraints, options);
   if (!preparation) {
     return std::nullopt;
   }
   const SlipFits fits(recording, constraints, preparation->free);
   std::optional<EncoderSlip> best;
-  for (int joint = 0; joint < static_cast<int>(recording.arm.joints.size()); ++joint) {
-    for (const SlipOrder by : {SlipOrder::Time, SlipOrder::Angle}) {
-      const auto order = fits.order(joint, by);
-      const std::size_t places = by == SlipOrder::Time ? places_in_time : places_by_angle;
-      for (std::size_t i = 1; i < places; ++i) {
-        const std::size_t k = i * order.size() / places;
-        auto slip = k > 0 ? fits.at(joint, by, order, k, Loss::Cauchy) : std::nullopt;
-        if (slip && (!best || slip->size < best->size)) {
-          best = std::move(slip);
-        }
-      }
+  for (const StepScore& place : candidates(recording, constraints, nominal, preparation->free, as_written.arm)) {
+    auto slip = fits.at(place.joint, place.order, readings_in_order(recording, place.joint, place.order), place.place,
+                        Loss::Cauchy);
+    if (slip && (!best || slip->size < best->size)) {
+      best = std::move(slip);
+    }
+    if (best && best->size * surely_better <= as_written.size) {
+      break;
     }
   }
   if (best) {
@@ -158,21 +183,25 @@ std::optional<EncoderSlip> find_encoder_slip(const Recording& recording, const C
 
 Hypothesis slip_hypothesis(const Recording& recording, const EncoderSlip& slip) {
   const bool in_time = slip.order == SlipOrder::Time;
-  const double angle = slip.angle;
-  const std::string text =
-      in_time ? fmt::format("with the encoder of joint {} slipped by {:.4g} degrees before this reading",
-                            slip.joint + 1, -angle / units::degree)
-              : fmt::format("with the encoder of joint {} off by {:.4g} degrees above {:.1f} degrees", slip.joint + 1,
-                            -angle / units::degree, recording.joints(slip.joint, slip.first) / units::degree);
+  const bool is_prismatic = recording.arm.joints[static_cast<std::size_t>(slip.joint)].is_prismatic();
+  const auto text_of = [&](double change, const char* form) {
+    return fmt::format(fmt::runtime(form), is_prismatic ? change : change / units::degree) +
+           (is_prismatic ? " mm" : " degrees");
+  };
+  const std::string text = in_time ? fmt::format("with the encoder of joint {} slipped by {} before this reading",
+                                                 slip.joint + 1, text_of(-slip.change, "{:.4g}"))
+                                   : fmt::format("with the encoder of joint {} off by {} above {}", slip.joint + 1,
+                                                 text_of(-slip.change, "{:.4g}"),
+                                                 text_of(recording.joints(slip.joint, slip.first), "{:.1f}"));
   return {in_time ? FindingKind::EncoderSlipped : FindingKind::EncoderWrapped,
           1,
           recording.where(slip.first),
           text,
           in_time ? "Measure again what was read after it, or identify the two parts apart"
-                  : "Correct how the encoder's counts are turned into angles, and measure again",
-          [joint = slip.joint, after = slip.after, angle](Recording& changed, std::vector<Artefact>&) {
+                  : "Correct how the encoder's counts are turned into positions, and measure again",
+          [joint = slip.joint, after = slip.after, change = slip.change](Recording& changed, std::vector<Artefact>&) {
             for (std::size_t i = 0; i < after.size(); ++i) {
-              changed.joints(joint, static_cast<Eigen::Index>(i)) += after[i] ? angle : 0.0;
+              changed.joints(joint, static_cast<Eigen::Index>(i)) += after[i] ? change : 0.0;
             }
           }};
 }

@@ -13,6 +13,8 @@
 namespace artcal {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -96,6 +98,29 @@ TEST(Inspection, NamesTheSignOfAJoint) {
   EXPECT_THAT(inspection.findings[0].text, HasSubstr("sign of q4"));
 }
 
+// A joint that counts the other way round is an arm whose alphas on both sides of it are 180 degrees off: the readings
+// as they are written fit that arm to the last micrometre.
+TEST(Inspection, NamesTheSignOfAJointThatAnotherArmExplainsToo) {
+  for (const int joint : {2, 4}) {
+    Recording recording = session();
+    recording.joints.row(joint) *= -1.0;
+    const Inspection inspection = inspected(recording);
+    ASSERT_EQ(kinds(inspection), "joint_sign ") << joint;
+    EXPECT_THAT(inspection.findings[0].text, HasSubstr("sign of q" + std::to_string(joint + 1)));
+    EXPECT_TRUE(inspection.is_gross_misfit);
+  }
+}
+
+TEST(Inspection, NamesAnEncoderThatWraps) {
+  Recording recording = session();
+  for (Eigen::Index i = 0; i < recording.joints.cols(); ++i) {
+    recording.joints(1, i) += recording.joints(1, i) > 0.5 ? 2.0 * units::degree : 0.0;
+  }
+  const Inspection inspection = inspected(recording);
+  ASSERT_EQ(kinds(inspection), "encoder_wrapped ");
+  EXPECT_THAT(inspection.findings[0].text, HasSubstr("joint 2 off by 2 degrees above"));
+}
+
 TEST(Inspection, NamesASlippedEncoder) {
   Recording recording = session();
   recording.joints.row(2).tail(90).array() += 1.5 * units::degree;
@@ -143,6 +168,16 @@ TEST(Inspection, NamesDistancesInInch) {
   EXPECT_THAT(inspection.findings[0].text, HasSubstr("inch"));
 }
 
+// Balls and distances: an arm a twenty-fifth as long fits them.
+TEST(Inspection, NamesAFileInInch) {
+  Artefact bar = ball_bar();
+  for (CertifiedDistance& distance : bar.distances) distance.value /= 25.4;
+  for (CertifiedFeature& ball : bar.features) *ball.radius /= 25.4;
+  const Inspection inspection = inspected(session(), bar);
+  ASSERT_EQ(kinds(inspection), "length_unit ");
+  EXPECT_THAT(inspection.findings[0].text, HasSubstr("lengths of artefact \"bar\" taken for inch"));
+}
+
 TEST(Inspection, NamesPositionsGivenAsSteps) {
   Artefact bar = ball_bar();
   bar.distances = {{0, 1, 250.0, 4e-4}, {1, 2, 600.0, 4e-4}, {2, 3, 1000.0, 4e-4}};
@@ -151,16 +186,55 @@ TEST(Inspection, NamesPositionsGivenAsSteps) {
   EXPECT_THAT(inspection.findings[0].text, HasSubstr("1850 mm"));
 }
 
-TEST(Inspection, NamesRowsThatAreThereTwiceWithOtherDecimals) {
-  Recording recording = session();
+void repeat_some_rows(Recording& recording) {
   for (int i = 0; i < 3; ++i) {
     recording.readings.push_back(recording.readings[static_cast<std::size_t>(i)]);
     recording.joints.conservativeResize(Eigen::NoChange, recording.joints.cols() + 1);
     recording.joints.rightCols<1>() = recording.joints.col(i).array() + 1e-7;
   }
+}
+
+TEST(Inspection, NamesRowsThatAreThereTwiceWithOtherDecimals) {
+  Recording recording = session();
+  repeat_some_rows(recording);
   const Inspection inspection = inspected(recording);
   ASSERT_EQ(kinds(inspection), "repeated_readings ");
   EXPECT_THAT(inspection.findings[0].text, HasSubstr("3 of 203 readings"));
+}
+
+// Two mistakes at once: both are named, or what is left is; never a third.
+TEST(Inspection, NamesExchangedJointsAndRowsThatAreThereTwice) {
+  Recording recording = session();
+  recording.joints.row(1).swap(recording.joints.row(2));
+  repeat_some_rows(recording);
+  EXPECT_EQ(kinds(inspected(recording)), "repeated_readings joints_exchanged ");
+}
+
+TEST(Inspection, NamesAnglesOfAnotherUnitAndAForgottenRadius) {
+  Recording recording = session();
+  recording.joints *= units::degree;
+  recording.arm.probes[0].radius = 0.0;
+  const Inspection inspection = inspected(recording);
+  ASSERT_EQ(kinds(inspection), "angle_unit tip_radius ");
+  EXPECT_THAT(inspection.findings[1].text, AllOf(HasSubstr("radius of 3"), HasSubstr("forgotten")));
+  EXPECT_TRUE(inspection.is_gross_misfit);
+}
+
+// Readings of two features under each other's names in two placements are no single mistake.
+TEST(Inspection, NamesNothingFalseWhereNoSingleMistakeExplainsTheReadings) {
+  Recording recording = session();
+  for (Reading& reading : recording.readings) {
+    const std::string& placement = recording.placements.name(reading.placement);
+    const std::string& feature = recording.features.name(reading.feature);
+    if ((placement == "1" || placement == "3") && (feature == "A" || feature == "B")) {
+      reading.feature = recording.features.find(feature == "A" ? "B" : "A");
+    }
+  }
+  const Inspection inspection = inspected(recording);
+  EXPECT_TRUE(inspection.is_gross_misfit);
+  for (const Finding& finding : inspection.findings) {
+    EXPECT_THAT(name_of(finding.kind), AnyOf("features_exchanged", "no_arm_fits")) << finding.text;
+  }
 }
 
 TEST(Inspection, NamesTouchesOnOneCircle) {

@@ -78,80 +78,123 @@ Eigen::Matrix3Xd by_joints(const Eigen::Vector4d& q) {
   return differences(q, [&](const Eigen::VectorXd& at) { return tip(nominal(), at); });
 }
 
-std::vector<Artefact> two_seats() {
+std::vector<Artefact> two_seats(bool certified) {
   Artefact bar;
   bar.name = "bar";
   bar.features.resize(2);
   bar.features[0].name = "A";
   bar.features[1].name = "B";
-  bar.distances.push_back({0, 1, 300.0, u_distance});
+  if (certified) bar.distances.push_back({0, 1, 300.0, u_distance});
   return {bar};
 }
 
-TEST(SessionInformation, IsThatOfOneDenseProblem) {
-  const double length = reach(arm_of(nominal()));
-  std::mt19937 random(3);
+constexpr int placements = 6;
+constexpr int readings = 14;  // of a placement, half of them on each seat
+constexpr int arm_columns = 4 * joints + 3;
+constexpr int columns = 6 * placements + 1 + arm_columns;  // two points each, the bar's error, the arm
+
+Eigen::Vector4d posture(std::mt19937& random) {
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
-  const auto posture = [&] { return Eigen::Vector4d(angle(random), angle(random), angle(random), angle(random)); };
-  constexpr int placements = 6;
-  constexpr int readings = 14;
-  constexpr int arm_columns = 4 * joints + 3;
-  constexpr int columns = 6 * placements + 1 + arm_columns;  // two points each, the bar's error, the arm
-  SessionInformation information(arm_of(nominal()), two_seats(), encoder, probing);
-  std::vector<Eigen::VectorXd> rows;
-  for (int p = 0; p < placements; ++p) {
-    Eigen::Vector3d at[2];
-    for (int k = 0; k < readings; ++k) {
-      const int feature = k < readings / 2 ? 0 : 1;
-      const Eigen::Vector4d q = posture();
-      information.add({0, feature, std::to_string(p), 0, q});
-      if (k % (readings / 2) == 0) at[feature] = tip(nominal(), q);
-      const Eigen::Matrix3Xd j = by_joints(q);
-      const Eigen::Matrix3d covariance =
-          probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * j * j.transpose();
-      const Eigen::Matrix3d whitening =
-          Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).operatorInverseSqrt();
-      Eigen::MatrixXd three = Eigen::MatrixXd::Zero(3, columns);
-      three.middleCols(6 * p + 3 * feature, 3) = -whitening;
-      three.rightCols(arm_columns) = whitening * by_numbers(q, length);
-      for (int r = 0; r < 3; ++r) rows.emplace_back(three.row(r));
+  const double q1 = angle(random), q2 = angle(random), q3 = angle(random), q4 = angle(random);
+  return {q1, q2, q3, q4};
+}
+
+// A posture with the tip at a point: Gauss-Newton with the smallest step, from random starts.
+Eigen::Vector4d posture_at(const Eigen::Vector3d& point, std::mt19937& random) {
+  for (;;) {
+    Eigen::Vector4d q = posture(random);
+    for (int i = 0; i < 50; ++i) {
+      const Eigen::Vector3d miss = point - tip(nominal(), q);
+      if (miss.norm() < 1e-8) return q;
+      const Eigen::Matrix3Xd slope = by_joints(q);
+      const Eigen::Matrix3d damped = slope * slope.transpose() + 1e-3 * miss.norm() * Eigen::Matrix3d::Identity();
+      q += slope.transpose() * damped.ldlt().solve(miss);
     }
-    Eigen::VectorXd distance = Eigen::VectorXd::Zero(columns);
-    distance.segment<3>(6 * p + 3) = (at[1] - at[0]).normalized() / 1e-4;
-    distance.segment<3>(6 * p) = -distance.segment<3>(6 * p + 3);
-    distance[6 * placements] = -u_distance / 1e-4;
-    rows.push_back(distance);
   }
-  Eigen::MatrixXd dense(static_cast<Eigen::Index>(rows.size()), columns);
-  for (std::size_t i = 0; i < rows.size(); ++i) dense.row(static_cast<Eigen::Index>(i)) = rows[i];
-  Eigen::VectorXd known = Eigen::VectorXd::Zero(columns);
-  known[6 * placements] = 1.0;
-  Eigen::MatrixXd normal = dense.transpose() * dense;
-  normal += known.asDiagonal();
-  // The rank of the arm's columns beside the others: what is left of them after these are taken out.
-  const Eigen::Index rest = columns - arm_columns;
-  const Eigen::MatrixXd schur =
-      normal.bottomRightCorner(arm_columns, arm_columns) -
-      normal.bottomLeftCorner(arm_columns, rest) *
-          normal.topLeftCorner(rest, rest).ldlt().solve(normal.topRightCorner(rest, arm_columns));
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(schur).eigenvalues();
-  EXPECT_EQ(information.rank(), (values.array() > 1.0).count());
-  EXPECT_LT(information.rank(), information.parameters());
-  Eigen::MatrixXd with_known = schur + 0.01 * Eigen::MatrixXd::Identity(arm_columns, arm_columns);
-  double sum = 0.0;
-  constexpr int lengths = 4000;
-  const auto solver = with_known.ldlt();
-  for (int i = 0; i < lengths; ++i) {
-    const Eigen::Vector4d q1 = posture();
-    const Eigen::Vector4d q2 = posture();
-    const Eigen::Vector3d along = (tip(nominal(), q2) - tip(nominal(), q1)).normalized();
-    const Eigen::VectorXd slope = (by_numbers(q2, length) - by_numbers(q1, length)).transpose() * along;
-    sum += slope.dot(solver.solve(slope)) + 2.0 * probing * probing +
-           encoder * encoder *
-               ((by_joints(q1).transpose() * along).squaredNorm() + (by_joints(q2).transpose() * along).squaredNorm());
+}
+
+/// The same readings into both: SessionInformation, and one dense normal matrix of all unknowns, of which the arm's
+/// part is left after the others are taken out.
+struct Both {
+  explicit Both(bool certified) : information(arm_of(nominal()), two_seats(certified), encoder, probing) {
+    std::mt19937 random(3);
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(columns, columns);
+    normal(6 * placements, 6 * placements) = 1.0;
+    for (int p = 0; p < placements; ++p) {
+      const Eigen::Vector3d at[2] = {tip(nominal(), posture(random)), tip(nominal(), posture(random))};
+      for (int k = 0; k < readings; ++k) {
+        const int feature = k < readings / 2 ? 0 : 1;
+        const Eigen::Vector4d q = posture_at(at[feature], random);
+        information.add({0, feature, std::to_string(p), 0, q});
+        const Eigen::Matrix3Xd j = by_joints(q);
+        const Eigen::Matrix3d covariance =
+            probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * j * j.transpose();
+        const Eigen::Matrix3d whitening =
+            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).operatorInverseSqrt();
+        Eigen::MatrixXd three = Eigen::MatrixXd::Zero(3, columns);
+        three.middleCols(6 * p + 3 * feature, 3) = -whitening;
+        three.rightCols(arm_columns) = whitening * by_numbers(q, length);
+        normal += three.transpose() * three;
+      }
+      Eigen::RowVectorXd distance = Eigen::RowVectorXd::Zero(columns);
+      distance.segment<3>(6 * p + 3) = (at[1] - at[0]).normalized().transpose() / 1e-4;
+      distance.segment<3>(6 * p) = -distance.segment<3>(6 * p + 3);
+      distance[6 * placements] = -u_distance / 1e-4;
+      if (certified) normal += distance.transpose() * distance;
+    }
+    const Eigen::Index rest = columns - arm_columns;
+    of_arm = normal.bottomRightCorner(arm_columns, arm_columns) -
+             normal.bottomLeftCorner(arm_columns, rest) *
+                 normal.topLeftCorner(rest, rest).ldlt().solve(normal.topRightCorner(rest, arm_columns));
   }
+
+  [[nodiscard]] int rank() const {
+    return static_cast<int>(
+        (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_arm).eigenvalues().array() > 1.0).count());
+  }
+
+  // Mean over lengths between random postures.
+  [[nodiscard]] double u_of_length() const {
+    std::mt19937 random(4);
+    const auto solver = (of_arm + 0.01 * Eigen::MatrixXd::Identity(arm_columns, arm_columns)).eval().ldlt();
+    double sum = 0.0;
+    constexpr int lengths = 4000;
+    for (int i = 0; i < lengths; ++i) {
+      const Eigen::Vector4d q1 = posture(random);
+      const Eigen::Vector4d q2 = posture(random);
+      const Eigen::Vector3d along = (tip(nominal(), q2) - tip(nominal(), q1)).normalized();
+      const Eigen::VectorXd slope = (by_numbers(q2, length) - by_numbers(q1, length)).transpose() * along;
+      sum +=
+          slope.dot(solver.solve(slope)) + 2.0 * probing * probing +
+          encoder * encoder *
+              ((by_joints(q1).transpose() * along).squaredNorm() + (by_joints(q2).transpose() * along).squaredNorm());
+    }
+    return std::sqrt(sum / lengths);
+  }
+
+  double length = reach(arm_of(nominal()));
+  SessionInformation information;
+  Eigen::MatrixXd of_arm;
+};
+
+TEST(SessionInformation, IsThatOfOneDenseProblem) {
+  const Both both(true);
+  EXPECT_EQ(both.information.rank(), both.rank());
+  EXPECT_LT(both.information.rank(), both.information.parameters());
   // 200 lengths against 4000: their mean scatters by some per cent.
-  EXPECT_NEAR(information.u_of_length().mean / std::sqrt(sum / lengths), 1.0, 0.1);
+  EXPECT_NEAR(both.information.u_of_length().mean / both.u_of_length(), 1.0, 0.1);
+}
+
+// The certified distance is all that says how long the arm is: without it one more direction is not determined, and
+// lengths are known as well as the arm was beforehand.
+TEST(SessionInformation, HasTheScaleFromTheCertifiedDistancesAlone) {
+  const Both with(true);
+  const Both without(false);
+  EXPECT_EQ(with.rank(), without.rank() + 1);
+  EXPECT_EQ(with.information.rank(), without.information.rank() + 1);
+  EXPECT_LT(10.0 * with.u_of_length(), without.u_of_length());
+  EXPECT_LT(10.0 * with.information.u_of_length().mean, without.information.u_of_length().mean);
+  EXPECT_NEAR(without.information.u_of_length().mean / without.u_of_length(), 1.0, 0.1);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#include "app/requests/stated_noise.h"
+
+#include <fmt/format.h>
+
+#include "core/plausible.h"
+#include "core/text/decimal_comma.h"
+#include "core/text/in_quotes.h"
+#include "core/unit_names.h"
+
+namespace artcal {
+namespace {
+
+/// What is known of a kind of quantity.
+struct Kind {
+  std::optional<double> (*read)(std::string_view);
+  bool (*is_plausible)(double);
+  const char* range;
+  const char* example;
+};
+
+Expected<double> stated(const std::string& text, const char* option, const Kind& kind) {
+  const auto value = kind.read(text);
+  if (!value || !(*value > 0.0)) {
+    return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit, such as \"{}\"{}", option,
+                                   in_quotes(text), kind.example, decimal_comma_question(text)));
+  }
+  if (!kind.is_plausible(*value)) {
+    return wrong_usage(fmt::format("{} is {}, expected a standard deviation of {}; is the unit right?", option,
+                                   in_quotes(text), kind.range));
+  }
+  return *value;
+}
+
+}  // namespace
+
+Expected<double> stated_length_noise(const std::string& text, const char* option) {
+  return stated(text, option, {length_quantity, plausible::is_length_u, plausible::length_range, "3 um"});
+}
+
+Expected<double> stated_angle_noise(const std::string& text, const char* option) {
+  return stated(text, option, {angle_quantity, plausible::is_angle_u, plausible::angle_range, "2 arcsec"});
+}
+
+}  // namespace artcal

@@ -1,0 +1,83 @@
+#include "identification/inspection/trial_fit.h"
+
+#include <algorithm>
+
+#include "identification/estimation.h"
+#include "identification/evaluation/misfit.h"
+#include "identification/initial/initial_alignment.h"
+#include "identification/least_squares/arm_fit.h"
+#include "identification/problem/preparation.h"
+
+namespace artcal {
+namespace {
+
+constexpr double far_better = 4.0;
+constexpr double surely_better = 30.0;
+constexpr double as_good = 1.5;
+constexpr double surely_as_stated = 2.0;
+constexpr double worth_a_search = 2.0;
+constexpr int quick_iterations = 30;
+
+}  // namespace
+
+TrialFits::TrialFits(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options,
+                     const AsWritten& as_written)
+    : recording_(recording),
+      constraints_(constraints),
+      options_(options),
+      as_written_(as_written),
+      comparable_(as_written.size) {
+  if (as_written.is_another_arm && as_written.arm) {
+    comparable_ *= std::max(1.0, reach(recording.arm) / reach(*as_written.arm));
+  }
+}
+
+bool TrialFits::explains(Trial& trial, const std::optional<Arm>& start) const {
+  auto bound = applied(trial.hypothesis, recording_, constraints_.artefacts);
+  if (!bound) {
+    return false;
+  }
+  IdentifyOptions options = options_;
+  options.start = start;
+  options.model.insert(options.model.end(), trial.hypothesis.model.begin(), trial.hypothesis.model.end());
+  if (!may_fit(*bound, options)) {
+    return false;
+  }
+  const auto estimate = search_solution(bound->recording, bound->constraints, options);
+  if (!estimate || !estimate->misfits.empty()) {
+    return false;
+  }
+  trial.is_as_stated = options.noise.is_given() && noise_ratio(estimate->fit, options.loss) < surely_as_stated;
+  trial.size = residual_size(*estimate, options);
+  trial.arm = estimate->fit.arm;
+  return trial.size * far_better <= comparable_ || restores_the_arm(trial);
+}
+
+bool TrialFits::is_enough(const Trial& trial) const {
+  return trial.hypothesis.complexity <= 1 &&
+         (trial.size * surely_better <= comparable_ || trial.is_as_stated || restores_the_arm(trial));
+}
+
+// One fit from the most promising initial alignment, before the whole search.
+bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) const {
+  const auto alignments =
+      alignments_for(bound.recording, bound.constraints, arm_for(options.model, bound.recording.arm));
+  const auto preparation =
+      options.start ? prepare_from(arm_for(options.model, *options.start), bound.recording, bound.constraints, options)
+                    : prepare(bound.recording, bound.constraints, options, alignments.front());
+  if (!preparation) {
+    return false;
+  }
+  SolveOptions few;
+  few.max_iterations = quick_iterations;
+  const auto fit = fit_arm(bound.recording, bound.constraints, preparation->start, preparation->free, {}, few);
+  const double enough = as_written_.is_another_arm ? worth_a_search * comparable_ : comparable_ / worth_a_search;
+  return fit && fit->noise <= enough;
+}
+
+bool TrialFits::restores_the_arm(const Trial& trial) const {
+  return as_written_.is_another_arm && trial.hypothesis.complexity <= 1 && trial.size <= as_good * comparable_ &&
+         !is_unexplained({trial.size, false, trial.arm}, recording_, options_);
+}
+
+}  // namespace artcal
