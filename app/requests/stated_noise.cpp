@@ -11,14 +11,14 @@ namespace artcal {
 namespace {
 
 /// What is known of a kind of quantity.
-struct Kind {
+struct NoiseKind {
   std::optional<double> (*read)(std::string_view);
   bool (*is_plausible)(double);
   const char* range;
   const char* example;
 };
 
-Expected<double> stated(const std::string& text, const char* option, const Kind& kind) {
+Expected<double> read_noise(const std::string& text, const char* option, const NoiseKind& kind) {
   const auto value = kind.read(text);
   if (!value || !(*value > 0.0)) {
     return wrong_usage(fmt::format("{} is {}, expected a number above zero with its unit, such as \"{}\"{}", option,
@@ -34,11 +34,11 @@ Expected<double> stated(const std::string& text, const char* option, const Kind&
 }  // namespace
 
 Expected<double> stated_length_noise(const std::string& text, const char* option) {
-  return stated(text, option, {length_quantity, plausible::is_length_u, plausible::length_range, "3 um"});
+  return read_noise(text, option, {length_quantity, plausible::is_length_u, plausible::length_range, "3 um"});
 }
 
 Expected<double> stated_angle_noise(const std::string& text, const char* option) {
-  return stated(text, option, {angle_quantity, plausible::is_angle_u, plausible::angle_range, "2 arcsec"});
+  return read_noise(text, option, {angle_quantity, plausible::is_angle_u, plausible::angle_range, "2 arcsec"});
 }
 
 }  // namespace artcal

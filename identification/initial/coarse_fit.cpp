@@ -13,7 +13,7 @@ namespace {
 constexpr double centre_scatter = 0.5;
 constexpr double ball_of_unknown_size = 12.7;  // mm
 
-bool is_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
+bool touches_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
 
 }  // namespace
 
@@ -24,7 +24,7 @@ double distance_to_centre(const FeatureConstraint& ball, double tip_radius) {
 void lengthen_to_centres(const Constraints& constraints, System& system) {
   std::map<std::pair<int, double>, int> made;
   for (const FeatureConstraint& feature : constraints.features) {
-    for (int k = 0; is_ball(feature) && k < feature.size(); ++k) {
+    for (int k = 0; touches_ball(feature) && k < feature.size(); ++k) {
       int& probe = system.probes[feature.readings[k]];
       auto& probes = system.start.probes;
       const double beyond = distance_to_centre(feature, probes[probe].radius);
@@ -44,7 +44,7 @@ void lengthen_to_centres(const Constraints& constraints, System& system) {
 double centre_deviation(const Constraints& constraints, const Arm& arm) {
   double largest = 0.0;
   for (const FeatureConstraint& feature : constraints.features) {
-    largest = std::max(largest, is_ball(feature) ? distance_to_centre(feature, arm.probes.front().radius) : 0.0);
+    largest = std::max(largest, touches_ball(feature) ? distance_to_centre(feature, arm.probes.front().radius) : 0.0);
   }
   return std::max(1.0, centre_scatter * largest);
 }

@@ -44,7 +44,7 @@ Recording thinned(const Recording& recording) {
 }
 
 /// A recording without a mistake that was found, where its residuals are still too large.
-struct Remainder {
+struct Unexplained {
   Finding found;
   Bound bound;
   IdentifyOptions options;
@@ -86,7 +86,7 @@ class Search {
     return {named != nullptr ? Findings{finding_of(*named)} : Findings{}, excluded_};
   }
 
-  [[nodiscard]] std::optional<Remainder> remainder() const {
+  [[nodiscard]] std::optional<Unexplained> remainder() const {
     const Trial* named = best();
     if (named == nullptr) {
       return std::nullopt;
@@ -98,12 +98,12 @@ class Search {
     }
     IdentifyOptions options = options_;
     options.model.insert(options.model.end(), named->hypothesis.model.begin(), named->hypothesis.model.end());
-    return Remainder{finding_of(*named), std::move(*bound), std::move(options), std::move(as_written)};
+    return Unexplained{finding_of(*named), std::move(*bound), std::move(options), std::move(as_written)};
   }
 
   // Where nothing explains the readings: without the gross mistake that the nominal arm shows, if there is one. A
   // second behind it may be all that keeps an arm from fitting.
-  [[nodiscard]] std::optional<Remainder> remainder_by_nominal() const {
+  [[nodiscard]] std::optional<Unexplained> remainder_by_nominal() const {
     if (!accepted_.empty() || !nearest_) {
       return std::nullopt;
     }
@@ -117,7 +117,7 @@ class Search {
                               "{:.3g} mm as written. {}",
                               hypothesis.text, nearest_->after, nearest_->before, hypothesis.remedy)};
     AsWritten as_written = fit_as_written(bound->recording, bound->constraints, options_);
-    return Remainder{std::move(found), std::move(*bound), options_, std::move(as_written)};
+    return Unexplained{std::move(found), std::move(*bound), options_, std::move(as_written)};
   }
 
  private:

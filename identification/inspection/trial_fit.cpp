@@ -13,7 +13,7 @@ namespace {
 
 constexpr double far_better = 4.0;
 constexpr double surely_better = 30.0;
-constexpr double as_good = 1.5;
+constexpr double as_good_as_written = 1.5;
 constexpr double surely_as_stated = 2.0;
 constexpr double worth_a_search = 2.0;
 constexpr int quick_iterations = 30;
@@ -76,7 +76,8 @@ bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) cons
 }
 
 bool TrialFits::restores_the_arm(const Trial& trial) const {
-  return as_written_.is_another_arm && trial.hypothesis.complexity <= 1 && trial.size <= as_good * comparable_ &&
+  return as_written_.is_another_arm && trial.hypothesis.complexity <= 1 &&
+         trial.size <= as_good_as_written * comparable_ &&
          !is_unexplained({trial.size, false, trial.arm}, recording_, options_);
 }
 

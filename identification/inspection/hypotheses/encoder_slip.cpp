@@ -15,11 +15,11 @@ namespace artcal {
 namespace {
 
 constexpr std::size_t fitted_of_each_score = 2;
-constexpr double sphere_deviation = 1.0;  // mm; what nominal arms make of a sphere
-constexpr double surely_better = 30.0;    // than the readings as written: no other slip is tried
-constexpr int iterations = 30;
+constexpr double sphere_deviation = 1.0;   // mm; what nominal arms make of a sphere
+constexpr double surely_explained = 30.0;  // than the readings as written: no other slip is tried
+constexpr int slip_iterations = 30;
 constexpr std::size_t max_places = 400;
-constexpr double near_enough_for_slips = 1e-3;  // mm
+constexpr double slip_resolution = 1e-3;  // mm
 
 Arm with_slip_joint(Arm arm, int joint) {
   Joint slip;
@@ -69,7 +69,7 @@ class SlipFits {
     }
     SolveOptions options;
     options.max_iterations = slip_iterations;
-    options.still = near_enough_for_slips;
+    options.still = slip_resolution;
     options.loss = loss;
     const auto fit =
         fit_arm(longer, constraints_, longer.arm, with_slip_parameter(free_, longer.arm, row), {}, options);
@@ -171,7 +171,7 @@ std::optional<EncoderSlip> find_encoder_slip(const Recording& recording, const C
     if (slip && (!best || slip->size < best->size)) {
       best = std::move(slip);
     }
-    if (best && best->size * surely_better <= as_written.size) {
+    if (best && best->size * surely_explained <= as_written.size) {
       break;
     }
   }

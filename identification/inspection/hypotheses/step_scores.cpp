@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t min_on_a_side = 8;  // readings
 // Share of a step's own square below which the fit takes all of it up.
-constexpr double least_seen = 1e-4;
+constexpr double least_left = 1e-4;
 
 /// Where the rows of a reading are.
 struct ReadingRows {
@@ -26,7 +26,7 @@ struct ReadingRows {
 };
 
 // An orthonormal basis of the columns' span.
-Eigen::MatrixXd basis_of(const Eigen::MatrixXd& columns) {
+Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0 || columns.rows() == 0) {
     return Eigen::MatrixXd(columns.rows(), 0);
   }
@@ -61,7 +61,7 @@ class LinearisedFit {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       add(static_cast<int>(b));
     }
-    common_ = basis_of(common_);
+    common_ = orthonormal_basis(common_);
     residuals_ -= common_ * (common_.transpose() * residuals_).eval();
     squares_ = residuals_.squaredNorm();
   }
@@ -94,7 +94,7 @@ class LinearisedFit {
       if (order.size() - k < min_on_a_side || !(own_square > 0.0)) {
         continue;
       }
-      const double left = std::max(own_square - in_blocks_square - in_common.squaredNorm(), least_seen * own_square);
+      const double left = std::max(own_square - in_blocks_square - in_common.squaredNorm(), least_left * own_square);
       if (const double share = product * product / (left * squares_); share > best.share) {
         best.share = share;
         best.place = k;
@@ -136,7 +136,7 @@ class LinearisedFit {
       rows(count, block.unknowns + i) = weights_.shared[s];
       rows(count, columns - 1) = weighted_shared(constraints.shared[s], weights_.shared[s], unknowns_.shared[s]);
     }
-    const Eigen::MatrixXd own = basis_of(rows.leftCols(block.unknowns));
+    const Eigen::MatrixXd own = orthonormal_basis(rows.leftCols(block.unknowns));
     rows -= own * (own.transpose() * rows).eval();
     common_.block(first, block.parameters.first, rows.rows(), block.parameters.size) =
         rows.middleCols(block.unknowns, block.parameters.size);
