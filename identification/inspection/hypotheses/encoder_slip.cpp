@@ -19,7 +19,7 @@ constexpr double sphere_deviation = 1.0;   // mm; what nominal arms make of a sp
 constexpr double surely_explained = 30.0;  // than the readings as written: no other slip is tried
 constexpr int slip_iterations = 30;
 constexpr std::size_t max_places = 400;
-constexpr double slip_resolution = 1e-3;  // mm
+constexpr double near_enough_for_slips = 1e-3;  // mm
 
 Arm with_slip_joint(Arm arm, int joint) {
   Joint slip;
@@ -69,7 +69,7 @@ class SlipFits {
     }
     SolveOptions options;
     options.max_iterations = slip_iterations;
-    options.still = slip_resolution;
+    options.still = near_enough_for_slips;
     options.loss = loss;
     const auto fit =
         fit_arm(longer, constraints_, longer.arm, with_slip_parameter(free_, longer.arm, row), {}, options);
