@@ -4,8 +4,8 @@
 
 namespace artcal {
 
-/// Solves R x = b in place, R the upper triangle of `triangle` (n, n) and b of shape (n, any). Nothing is done where either is
-/// empty: Eigen 3.4 would take a reference to an element that is not there.
+/// Solves R x = b in place, R the upper triangle of `triangle` (n, n) and b of shape (n, any). Nothing is done where
+/// either is empty: Eigen 3.4 would take a reference to an element that is not there.
 template <typename Triangle, typename RightSide>
 void solve_upper(const Triangle& triangle, RightSide&& right_side) {
   if (triangle.size() > 0 && right_side.size() > 0) {

@@ -3,9 +3,9 @@
 
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/requests/cloud_columns.h"
 #include "app/requests/memory_option.h"
-#include "app/requests/row_list.h"
+#include "app/requests/points/cloud_columns.h"
+#include "app/requests/points/row_list.h"
 #include "app/results/fit/fit_report.h"
 
 namespace artcal {

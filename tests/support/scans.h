@@ -154,7 +154,9 @@ class ScanSimulation {
   void raster(const V& middle, const Eigen::Vector2d& half, const V& v, double spacing) {
     for (double x = -half.x(); x < half.x(); x += spacing) {
       for (double y = -half.y(); y < half.y(); y += spacing) {
-        const V through = middle + V{x + random_.uniform(0.0, spacing), y + random_.uniform(0.0, spacing), 0.0};
+        const double across = random_.uniform(0.0, spacing);
+        const double along = random_.uniform(0.0, spacing);
+        const V through = middle + V(x + along, y + across, 0.0);
         const V origin = through - 1000.0 * v;
         const Hit hit = cast(origin, v);
         samples_.push_back({origin, v, hit, false});

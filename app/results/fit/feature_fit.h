@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "acquisition/point_cloud/point_cloud.h"
-#include "app/requests/fit_request.h"
+#include "app/requests/points/fit_request.h"
 #include "app/results/fit/feature_values.h"
 
 namespace artcal {

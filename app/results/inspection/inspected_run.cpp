@@ -61,6 +61,16 @@ std::string reasons_of(const Error& error) {
   return reasons;
 }
 
+// Where the mistake is named, the first of them is enough, with what looks wrong in the input.
+std::string first_reason_of(const Error& error) {
+  constexpr std::string_view opening = "no arm fits these readings: ";
+  const std::string reasons = reasons_of(error);
+  const std::size_t begin = reasons.starts_with(opening) ? opening.size() : 0;
+  const std::size_t end = std::min(reasons.find("; ", begin), reasons.size());
+  const std::size_t warnings = std::min(reasons.find("; warning: ", end), reasons.size());
+  return reasons.substr(begin, end - begin) + reasons.substr(warnings);
+}
+
 constexpr std::string_view accept = "; --accept-misfit writes the arm all the same";
 
 Error explained_error(const Findings& mistakes, const std::optional<Error>& as_written) {
@@ -70,7 +80,7 @@ Error explained_error(const Findings& mistakes, const std::optional<Error>& as_w
   }
   return {ErrorCode::NoSolution,
           fmt::format("no arm fits these readings as they are written: {}{}{}", text,
-                      as_written ? ". As written: " + reasons_of(*as_written) : "", accept),
+                      as_written ? ". As written: " + first_reason_of(*as_written) : "", accept),
           {}};
 }
 

@@ -1,4 +1,4 @@
-#include "app/requests/fit_request.h"
+#include "app/requests/points/fit_request.h"
 
 #include <algorithm>
 #include <array>

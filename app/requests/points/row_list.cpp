@@ -1,4 +1,4 @@
-#include "app/requests/row_list.h"
+#include "app/requests/points/row_list.h"
 
 #include <algorithm>
 #include <charconv>

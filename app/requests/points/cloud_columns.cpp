@@ -1,4 +1,4 @@
-#include "app/requests/cloud_columns.h"
+#include "app/requests/points/cloud_columns.h"
 
 #include <algorithm>
 
