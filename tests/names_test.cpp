@@ -1,5 +1,5 @@
-// What two sources of a layer declare alike in their unnamed namespaces is either a twin, which belongs into one place, or
-// two things of one name, which is hard to read. It also keeps the sanitizers' unity build together.
+// What two sources of a layer declare alike in their unnamed namespaces is either a twin, which belongs into one place,
+// or two things of one name, which is hard to read. It also keeps the sanitizers' unity build together.
 
 #include <filesystem>
 #include <fstream>

@@ -205,8 +205,8 @@ std::string calibration_text(const PlateCalibration& calibration) {
     const auto at = calibration.centres.col(i);
     const auto off = calibration.deviations.col(i);
     const auto mm = [](double value) { return fmt::format("{:.5f}", value); };
-    table.add({short_name(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()),
-               signed_in_micrometres(off.x()), signed_in_micrometres(off.y()), signed_in_micrometres(off.z()),
+    table.add({short_name(calibration.features[i]), mm(at.x()), mm(at.y()), mm(at.z()), signed_in_micrometres(off.x()),
+               signed_in_micrometres(off.y()), signed_in_micrometres(off.z()),
                fmt::format("{:.2f}", calibration.u(i) / units::micrometre)});
   }
   return text + table.text() + "\n";
