@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,14 +39,21 @@ void warn_of_same_readings(Recording& recording, const ArmIdentification& identi
   }
 }
 
-// The arm of the file in place of the recording's, with the same probes by name.
+// Refused: an arm that the readings cannot be evaluated with, such as one that expands where no temperature was read.
+Expected<void> check_fits(const Recording& recording, const Arm& arm, const std::optional<ArmIdentification>& known) {
+  return tip_centres(recording, arm, known ? &*known : nullptr).map([](const TipCentres&) {});
+}
+
+// The arm of the file, where one is named, in place of the recording's, with the same probes by name.
 Expected<void> use_arm(const std::string& path, Recording& recording) {
+  if (path.empty()) {
+    return check_fits(recording, recording.arm, recording.arm_identification);
+  }
   auto file = read_arm_file(path);
   if (!file) {
     return tl::unexpected(file.error());
   }
-  const auto& identification = file->identification;
-  if (auto fits = tip_centres(recording, file->arm, identification ? &*identification : nullptr); !fits) {
+  if (auto fits = check_fits(recording, file->arm, file->identification); !fits) {
     return tl::unexpected(fits.error());
   }
   for (Reading& reading : recording.readings) {
@@ -62,13 +70,8 @@ Expected<int> evaluate_and_tell(const Request& request) {
   if (!recording) {
     return tl::unexpected(recording.error());
   }
-  if (auto there = require_joints(*recording); !there) {
-    return tl::unexpected(there.error());
-  }
-  if (!request.arm.empty()) {
-    if (auto used = use_arm(request.arm, *recording); !used) {
-      return tl::unexpected(with_warnings(used.error(), recording->warnings));
-    }
+  if (auto used = use_arm(request.arm, *recording); !used) {
+    return tl::unexpected(with_warnings(used.error(), recording->warnings));
   }
   const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
   if (!constraints) {

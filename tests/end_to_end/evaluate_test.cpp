@@ -142,5 +142,15 @@ TEST_F(Evaluate, AnotherKindOfArmIsRefused) {
   EXPECT_EQ(run({"evaluate", "nothing.toml"}).exit_code, 3);
 }
 
+// Its own arm like another one: tips without the temperature would be those of an arm at its reference temperature.
+TEST_F(Evaluate, AnArmThatExpandsNeedsItsTemperature) {
+  take("two-socket-bar");
+  write("two-socket-bar/arm.toml",
+        testing::replaced(text_of("two-socket-bar/arm.toml"), "a = 82.5\n", "a = 82.5\nexpansion_per_K = 23e-6\n"));
+  const Ended ended = run({"evaluate", "two-socket-bar/recording.toml"});
+  EXPECT_EQ(ended.exit_code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("expected the column arm_temperature"));
+}
+
 }  // namespace
 }  // namespace artcal
