@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -34,9 +36,13 @@ inline const testing::TemporaryFolder& folder() {
   return one;
 }
 
+/// What becomes of a record that repeats one before it: meshes give the vertices that facets share once each.
+enum class Repeated { Kept, Merged };
+
 /// Reads the bytes as a cloud and looks at what came out.
 inline void read_cloud(const std::uint8_t* data, std::size_t size,
-                       Expected<PointCloud> (*parse)(const FileBytes&, const CloudUnits&)) {
+                       Expected<PointCloud> (*parse)(const FileBytes&, const CloudUnits&),
+                       Repeated repeated = Repeated::Kept) {
   const FileBytes file{"input", std::string(bytes_of(data, size)), "hash"};
   for (const CloudUnits& units : {CloudUnits{1.0, {}}, CloudUnits{1e3, 1.0}}) {
     const auto cloud = parse(file, units);
@@ -47,8 +53,10 @@ inline void read_cloud(const std::uint8_t* data, std::size_t size,
     const auto points = static_cast<std::size_t>(cloud->points.cols());
     require(points > 0 && cloud->rows.size() == points && cloud->points.allFinite() && cloud->joints.allFinite());
     require(cloud->joints.size() == 0 || static_cast<std::size_t>(cloud->joints.cols()) == points);
-    require(cloud->rows.front() >= 0 && static_cast<std::size_t>(cloud->rows.back()) < points + cloud->dropped);
     require(points + cloud->dropped <= size);
+    require(cloud->rows.front() >= 0 && std::is_sorted(cloud->rows.begin(), cloud->rows.end(), std::less_equal<>{}));
+    const std::size_t records = repeated == Repeated::Merged ? size : points + cloud->dropped;
+    require(static_cast<std::size_t>(cloud->rows.back()) < records);
   }
 }
 

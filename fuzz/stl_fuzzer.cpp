@@ -1,8 +1,12 @@
 #include "fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  artcal::fuzzing::read_cloud(data, size, [](const artcal::FileBytes& file, const artcal::CloudUnits& units) {
-    return artcal::parse_stl(file, units).map([](artcal::ReadCloud&& read) { return std::move(read.cloud); });
-  });
+  using namespace artcal;
+  fuzzing::read_cloud(
+      data, size,
+      [](const FileBytes& file, const CloudUnits& units) {
+        return parse_stl(file, units).map([](ReadCloud&& read) { return std::move(read.cloud); });
+      },
+      fuzzing::Repeated::Merged);
   return 0;
 }
