@@ -51,7 +51,7 @@ void judge_residuals(const ArmFit& fit, const Arm& nominal, const Noise& noise, 
         fmt::format("the residuals are {:.3g} times the stated noise, {:.3g} mm a coordinate instead of {:.3g} mm",
                     ratio, ratio * fit.noise, fit.noise));
   }
-  const double possible = std::max(min_max_noise, max_noise_per_reach * reach(nominal));
+  const double possible = largest_possible_noise(nominal);
   if (!noise.is_given() && !(fit.noise <= possible)) {
     reasons.push_back(
         fmt::format("the residuals are {:.3g} mm a coordinate, more than an arm of this reach has ({:.2g} mm) where no "
@@ -82,6 +82,10 @@ void judge_lengths(const ArmFit& fit, const Evaluation& after, const Noise& nois
 }
 
 }  // namespace
+
+double largest_possible_noise(const Arm& nominal) {
+  return std::max(min_max_noise, max_noise_per_reach * reach(nominal));
+}
 
 double noise_ratio(const ArmFit& fit, Loss loss) {
   if (loss == Loss::None) {

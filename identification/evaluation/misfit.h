@@ -22,6 +22,9 @@ namespace artcal {
 std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Arm& nominal,
                                  const std::vector<Parameter>& free, const Noise& noise, Loss loss);
 
+/// What any arm and probe can have of noise at the arm's reach, mm a coordinate, where none is stated.
+double largest_possible_noise(const Arm& nominal);
+
 /// The rms of the whitened residuals of a fit, of a robust one by their median: 1 where they are as stated.
 double noise_ratio(const ArmFit& fit, Loss loss);
 

@@ -4,9 +4,11 @@
 
 #include "identification/estimation.h"
 #include "identification/evaluation/misfit.h"
+#include "identification/initial/faint_turns.h"
 #include "identification/initial/initial_alignment.h"
-#include "identification/least_squares/arm_fit.h"
+#include "identification/initial/nuisance_estimation.h"
 #include "identification/problem/preparation.h"
+#include "identification/problem/weights.h"
 
 namespace artcal {
 namespace {
@@ -17,6 +19,33 @@ constexpr double as_good_as_written = 1.5;
 constexpr double surely_as_stated = 2.0;
 constexpr double worth_a_search = 2.0;
 constexpr int quick_iterations = 30;
+
+/// Residuals after a few iterations.
+struct Left {
+  double rms = 0.0;  ///< mm a coordinate
+  bool has_converged = false;
+};
+
+std::optional<Left> quickly_left(const Bound& bound, const Preparation& preparation) {
+  const System system = make_system(bound.recording, bound.constraints, preparation.start, preparation.free);
+  const auto unknowns = estimate_nuisance_parameters(system, preparation.start, bound.recording);
+  const int degrees_of_freedom =
+      bound.constraints.residual_count() - bound.constraints.unknown_count() - system.arm_size();
+  if (!unknowns || degrees_of_freedom < 1) {
+    return std::nullopt;
+  }
+  SolveOptions few;
+  few.max_iterations = quick_iterations;
+  const Weights weights = unit_weights(bound.constraints);
+  const Solution solution =
+      solve_with_turns(system, bound.recording, weights, Eigen::VectorXd::Zero(system.arm_size()), *unknowns, few);
+  if (solution.termination == Termination::Failed) {
+    return std::nullopt;
+  }
+  const auto residuals = whitened_residuals(system, weights, system.arm_at(solution.x.data()), solution.unknowns);
+  return Left{std::sqrt(residuals.readings_squared() / degrees_of_freedom),
+              solution.termination == Termination::Converged};
+}
 
 }  // namespace
 
@@ -58,7 +87,8 @@ bool TrialFits::is_enough(const Trial& trial) const {
          (trial.size * surely_better <= comparable_ || trial.is_as_stated || restores_the_arm(trial));
 }
 
-// One fit from the most promising initial alignment, before the whole search.
+// One fit from the most promising initial alignment, before the whole search. Directions that the readings hardly
+// determine take hundreds of iterations: what a few leave is judged whether or not they were enough.
 bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) const {
   const auto alignments =
       alignments_for(bound.recording, bound.constraints, arm_for(options.model, bound.recording.arm));
@@ -68,11 +98,13 @@ bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) cons
   if (!preparation) {
     return false;
   }
-  SolveOptions few;
-  few.max_iterations = quick_iterations;
-  const auto fit = fit_arm(bound.recording, bound.constraints, preparation->start, preparation->free, {}, few);
+  const auto left = quickly_left(bound, *preparation);
+  if (!left) {
+    return false;
+  }
   const double enough = as_written_.is_another_arm ? worth_a_search * comparable_ : comparable_ / worth_a_search;
-  return fit && fit->noise <= enough;
+  const double possible = worth_a_search * largest_possible_noise(recording_.arm);
+  return left->rms <= enough && (left->has_converged || left->rms <= possible);
 }
 
 bool TrialFits::restores_the_arm(const Trial& trial) const {
