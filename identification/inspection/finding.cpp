@@ -1,5 +1,8 @@
 #include "identification/inspection/finding.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace artcal {
 
 std::string_view name_of(FindingKind kind) {
@@ -30,6 +33,17 @@ std::string_view name_of(FindingKind kind) {
     case FindingKind::ElbowOnOneSide: break;
   }
   return "elbow_on_one_side";
+}
+
+void add_explanation(Findings& findings, Findings explanation) {
+  for (const Finding& explaining : explanation) {
+    if (explaining.kind == FindingKind::LengthUnit) {
+      std::erase_if(findings, [&](const Finding& finding) {
+        return finding.kind == FindingKind::ImplausibleValue && finding.where == explaining.where;
+      });
+    }
+  }
+  std::move(explanation.begin(), explanation.end(), std::back_inserter(findings));
 }
 
 std::string artefact_path(const Recording& recording, std::size_t artefact) {

@@ -51,6 +51,10 @@ struct Finding {
 
 using Findings = std::vector<Finding>;
 
+/// Adds what explains the readings. Values of a file that are implausible only because its unit is another are that
+/// mistake's, and are not named beside it.
+void add_explanation(Findings& findings, Findings explanation);
+
 /// Where a finding about an artefact is: its file; empty where the artefact was not read from one.
 std::string artefact_path(const Recording& recording, std::size_t artefact);
 

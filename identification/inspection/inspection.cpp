@@ -76,7 +76,7 @@ Inspection inspect(const Recording& recording, const Constraints& constraints, c
                                 : Explanation{};
   inspection.is_gross_misfit = as_written.is_misfit || !explanation.findings.empty();
   if (!explanation.findings.empty()) {
-    append(inspection.findings, std::move(explanation.findings));
+    add_explanation(inspection.findings, std::move(explanation.findings));
   } else if (as_written.is_misfit) {
     inspection.findings.push_back(no_arm_fits(as_written));
     inspection.excluded = std::move(explanation.excluded);

@@ -124,7 +124,7 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
     Explanation explanation = failed || is_large ? explain(recording, constraints, options, as_written)
                                                  : explain_by_radii(recording, constraints, options, as_written);
     if (!explanation.findings.empty()) {
-      findings.insert(findings.end(), explanation.findings.begin(), explanation.findings.end());
+      add_explanation(findings, explanation.findings);
       if (!options.accept_misfit || failed) {
         const auto error = failed ? std::optional(run.result.error()) : std::nullopt;
         run.result = tl::unexpected(explained_error(explanation.findings, error));

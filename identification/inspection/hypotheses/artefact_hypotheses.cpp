@@ -22,7 +22,7 @@ constexpr OtherUnit other_units[] = {{25.4, "inch"},
                                      {10.0, "cm"},
                                      {0.1, "mm, not cm"},
                                      {1000.0, "m (or mm, where um is stated)"},
-                                     {0.001, "mm, not m"},
+                                     {0.001, "mm, not m (or um, where mm is stated)"},
                                      {0.001 * 25.4, "inch, not m"}};
 
 void scale_distances(Artefact& artefact, double factor) {

@@ -190,6 +190,15 @@ TEST(Inspection, NamesAFileInInch) {
   EXPECT_THAT(inspection.findings[0].text, HasSubstr("lengths of artefact \"bar\" taken for inch"));
 }
 
+TEST(Inspection, NamesAFileInMicrometres) {
+  Artefact bar = ball_bar();
+  for (CertifiedDistance& distance : bar.distances) distance.value *= 1000.0;
+  for (CertifiedFeature& ball : bar.features) *ball.radius *= 1000.0;
+  const Inspection inspection = inspected(session(), bar);
+  ASSERT_EQ(kinds(inspection), "length_unit ");
+  EXPECT_THAT(inspection.findings[0].text, HasSubstr("um, where mm is stated"));
+}
+
 TEST(Inspection, NamesPositionsGivenAsSteps) {
   Artefact bar = ball_bar();
   bar.distances = {{0, 1, 250.0, 4e-4}, {1, 2, 600.0, 4e-4}, {2, 3, 1000.0, 4e-4}};
