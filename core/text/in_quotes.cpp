@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text/utf8.h"
+
 namespace artcal {
 namespace {
 
@@ -30,11 +32,24 @@ ControlCharacter control_at(std::string_view text, std::size_t offset) {
 }  // namespace
 
 std::string truncated(std::size_t characters, std::string_view text) {
+  constexpr std::size_t longest_character = 4;
+  text = text.substr(0, longest_character * (characters + 1));  // where characters end, it is known that there is more
+  const auto stray_from = [&](std::size_t begin) {
+    const std::size_t stray = find_not_utf8(text.substr(begin));
+    return stray == std::string_view::npos ? stray : begin + stray;
+  };
   std::string shown;
   std::size_t count = 0;
+  std::size_t stray = stray_from(0);
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (starts_character(text[i]) && ++count > characters) {
+    // A byte that is no part of UTF-8 is a character by itself: a field of nothing else has an end too.
+    if ((i == stray || starts_character(text[i])) && ++count > characters) {
       return shown + "…";
+    }
+    if (i == stray) {
+      shown += '?';
+      stray = stray_from(i + 1);
+      continue;
     }
     const std::size_t control = control_at(text, i).length;
     shown += control > 0 || text[i] == '\t' ? '?' : text[i];

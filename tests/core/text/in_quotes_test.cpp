@@ -21,6 +21,18 @@ TEST(InQuotes, CutsAfterFortyCharactersNotBytes) {
   EXPECT_EQ(in_quotes(micro), "\"" + micro.substr(0, 80) + "…\"");
 }
 
+TEST(InQuotes, CountsEveryByteThatIsNoPartOfUtf8) {
+  EXPECT_EQ(in_quotes(std::string(3000, '\xbd')), "\"" + std::string(40, '?') + "…\"");
+  EXPECT_EQ(in_quotes("a\xbd"
+                      "b\xc3"),
+            "\"a?b?\"")
+      << "a stray byte, and a character that is cut off";
+  EXPECT_EQ(in_quotes("Gr\xf6\xdf"
+                      "e é"),
+            "\"Gr??e é\"")
+      << "Latin-1";
+}
+
 TEST(InQuotes, DisarmsControlCharacters) { EXPECT_EQ(in_quotes("\x1b[2J\n\x7f"), "\"?[2J??\""); }
 
 TEST(InQuotes, DisarmsWhatIsLongerThanAByte) {
