@@ -58,6 +58,30 @@ def tips(arm, q):
     return p + arm["tip"] * r[:, :, 2], r[:, :, 2]
 
 
+def tips_by_joints(arm, q):
+    """As tips(), and how both change with each joint, (m, 3, n): a joint turns all behind it about its axis."""
+    m, n = q.shape
+    r = np.tile(np.eye(3), (m, 1, 1))
+    p = np.zeros((m, 3))
+    axes, origins = np.empty((n, m, 3)), np.empty((n, m, 3))
+    for i in range(n):
+        axes[i], origins[i] = r[:, :, 2], p
+        c, s = np.cos(q[:, i] + arm["theta"][i]), np.sin(q[:, i] + arm["theta"][i])
+        ca, sa = math.cos(arm["alpha"][i]), math.sin(arm["alpha"][i])
+        step = np.empty((m, 3, 3))
+        step[:, 0] = np.stack([c, -s * ca, s * sa], 1)
+        step[:, 1] = np.stack([s, c * ca, -c * sa], 1)
+        step[:, 2] = np.array([0.0, sa, ca])
+        shift = np.stack([arm["a"][i] * c, arm["a"][i] * s, np.full(m, arm["d"][i])], 1)
+        p = p + (r @ shift[:, :, None])[:, :, 0]
+        r = r @ step
+    z = r[:, :, 2]
+    tip = p + arm["tip"] * z
+    moved = np.cross(axes, tip[None] - origins).transpose(1, 2, 0)
+    turned = np.cross(axes, np.broadcast_to(z, axes.shape)).transpose(1, 2, 0)
+    return tip, z, moved, turned
+
+
 def postures(arm, target, direction, rng, within):
     """Joint angles with the tips at target and the stylus within an angle (rad) of direction; NaN where none is found."""
     m, n = len(target), len(arm["d"])
@@ -76,20 +100,15 @@ def postures(arm, target, direction, rng, within):
         want = np.cos(tilt) * axis + np.sin(tilt) * side
         q = rng.uniform(-math.pi, math.pi, (k, n))
         for _ in range(40):
-            def miss(x):
-                p, z = tips(arm, x)
-                return np.concatenate([p - target[open_], 300.0 * (z - want)], 1)
-            f = miss(q)
-            jac = np.empty((k, 6, n))
-            for j in range(n):
-                step = np.copy(q)
-                step[:, j] += 1e-6
-                jac[:, :, j] = (miss(step) - f) / 1e-6
+            tip, z, moved, turned = tips_by_joints(arm, q)
+            f = np.concatenate([tip - target[open_], 300.0 * (z - want)], 1)
+            jac = np.concatenate([moved, 300.0 * turned], 1)
             size = np.linalg.norm(f, axis=1)
             normal = jac.transpose(0, 2, 1) @ jac + (1e-9 + size[:, None, None] * 1.0) * np.eye(n)
             dq = -np.linalg.solve(normal, jac.transpose(0, 2, 1) @ f[:, :, None])[:, :, 0]
             q = q + dq * np.minimum(1.0, 0.5 / (np.max(np.abs(dq), 1, keepdims=True) + 1e-12))
-        good = np.linalg.norm(miss(q), axis=1) < 1e-6
+        tip, z = tips(arm, q)
+        good = np.linalg.norm(np.concatenate([tip - target[open_], 300.0 * (z - want)], 1), axis=1) < 1e-6
         found[open_[good]] = (q[good] + math.pi) % (2 * math.pi) - math.pi
         open_ = open_[~good]
     return found
