@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/number_range.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -37,7 +38,7 @@ std::optional<double> find(std::span<const Unit> known, std::string_view name) {
 std::optional<double> quantity(std::span<const Unit> known, std::string_view text) {
   double number = 0.0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !std::isfinite(number) || number < 0.0) {
+  if (error != std::errc{} || !is_in_range(number) || number < 0.0) {
     return std::nullopt;
   }
   text.remove_prefix(static_cast<std::size_t>(rest - text.data()));

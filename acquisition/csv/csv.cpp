@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/number_range.h"
 #include "core/text/decimal_comma.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
@@ -151,7 +152,7 @@ Expected<double> CsvReader::number(std::size_t column, std::string_view expected
   const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) {
+  if (error != std::errc{} || end != digits.data() + digits.size() || !is_in_range(value)) {
     return bad_input(fmt::format("column {}: found {}, expected {}{}", header_[column],
                                  text.empty() ? "nothing" : in_quotes(text), expected, decimal_comma_question(text)),
                      where(column));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/number_range.h"
 #include "core/text/digits.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
@@ -201,7 +202,7 @@ std::optional<std::string> number_text(std::string_view field, bool& has_comma, 
     }
     text += power;
   }
-  if (!std::isfinite(std::strtod(text.c_str(), nullptr))) {
+  if (!is_in_range(std::strtod(text.c_str(), nullptr))) {
     return std::nullopt;
   }
   has_comma = has_comma || comma;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/number_range.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
@@ -24,7 +25,7 @@ Expected<double> number_of(std::string_view text, const StreamField& field) {
   text = trimmed(text);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+  if (error != std::errc() || end != text.data() + text.size() || !is_in_range(value)) {
     return bad_input(fmt::format("the field {} is {}, expected a finite number", in_quotes(field),
                                  in_quotes(std::string(text.substr(0, 40)))));
   }
@@ -48,7 +49,7 @@ Expected<double> number_in(const Json& event, const StreamField& field) {
   if (at->is_string()) {
     return number_of(at->get_ref<const std::string&>(), field);
   }
-  if (!at->is_number() || !std::isfinite(at->get<double>())) {
+  if (!at->is_number() || !is_in_range(at->get<double>())) {
     return bad_input(fmt::format("the field {} is no finite number", in_quotes(field)));
   }
   return at->get<double>();

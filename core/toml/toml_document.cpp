@@ -10,6 +10,7 @@
 
 #include "core/calendar_date.h"
 #include "core/files/size_limits.h"
+#include "core/number_range.h"
 #include "core/text/decimal_comma.h"
 #include "core/text/digits.h"
 #include "core/text/in_quotes.h"
@@ -94,12 +95,12 @@ std::string_view kind_of(const toml::node& node) {
   }
 }
 
-std::optional<double> finite_number(const toml::node& node) {
+std::optional<double> number_of(const toml::node& node) {
   if (!node.is_number()) {
     return std::nullopt;
   }
   const double value = node.value<double>().value_or(std::nan(""));
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+  return is_in_range(value) ? std::optional(value) : std::nullopt;
 }
 
 // "artcal-arm/1": what a schema is called, in any program.
@@ -253,9 +254,10 @@ std::string TomlTable::name_or(std::string_view key, std::string fallback) {
 
 double TomlTable::number(std::string_view key) {
   const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
-  const auto value = node == nullptr ? std::nullopt : finite_number(*node);
+  const auto value = node == nullptr ? std::nullopt : number_of(*node);
   if (!value) {
-    expected(key, "a finite number");
+    const bool is_huge = node != nullptr && std::isfinite(node->value<double>().value_or(std::nan("")));
+    expected(key, is_huge ? "a number of at most 1e100" : "a finite number");
     return 0.0;
   }
   shared_->read.insert(node);
@@ -313,7 +315,7 @@ std::vector<double> TomlTable::numbers(std::string_view key) {
   shared_->read.insert(node);
   std::vector<double> values;
   for (const auto& element : *node->as_array()) {
-    const auto value = finite_number(element);
+    const auto value = number_of(element);
     if (!value) {
       expected(key, "an array of finite numbers and nothing else");
       return {};
@@ -360,7 +362,7 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key) {
     auto& row = all.emplace_back();
     if (const auto* numbers = inner.as_array()) {
       for (const auto& element : *numbers) {
-        row.push_back(finite_number(element).value_or(std::nan("")));
+        row.push_back(number_of(element).value_or(std::nan("")));
       }
     }
     if (inner.as_array() == nullptr || std::any_of(row.begin(), row.end(), [](double v) { return std::isnan(v); })) {

@@ -7,6 +7,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/files/text_file.h"
+#include "core/number_range.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -23,7 +24,7 @@ Expected<double> number_at(const std::filesystem::path& path, const YAML::Node& 
                            const char* key) {
   const YAML::Node found = frame[key];
   double number = 0.0;
-  if (!found || !found.IsScalar() || !YAML::convert<double>::decode(found, number) || !std::isfinite(number)) {
+  if (!found || !found.IsScalar() || !YAML::convert<double>::decode(found, number) || !is_in_range(number)) {
     return bad_input(fmt::format("`{}` of {} is {}, expected a number (m, rad)", key, in_quotes(name),
                                  found && found.IsScalar() ? in_quotes(found.Scalar()) : "not there"),
                      place(path, found ? found.Mark() : frame.Mark()));

@@ -13,6 +13,7 @@
 
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
+#include "core/number_range.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -30,8 +31,8 @@ std::optional<double> number_of(std::string_view word) {
   word.remove_prefix(word.starts_with('+') ? 1 : 0);
   double number = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size() && std::isfinite(number) ? std::optional(number)
-                                                                                           : std::nullopt;
+  return error == std::errc{} && end == word.data() + word.size() && is_in_range(number) ? std::optional(number)
+                                                                                         : std::nullopt;
 }
 
 // Three numbers of an attribute, zeros where it is not there.

@@ -241,7 +241,7 @@ TEST_F(ArmFileTest, RefusesNamesThatATerminalWouldObey) {
 
 TEST_F(ArmFileTest, OddNumbersComeBackToo) {
   Arm arm = read(text_)->arm;
-  for (const double odd : {-0.0, 5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, 1e16, 1e22,
+  for (const double odd : {-0.0, 5e-324, 2.2250738585072014e-308, 9.999999999999999e99, 1e16, 1e22,
                            123456789012345680.0, 0.1, 1.0 / 3.0, -1e-7}) {
     arm.joints[0].a = odd;
     arm.joints[1].theta = odd;

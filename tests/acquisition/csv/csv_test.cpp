@@ -95,9 +95,9 @@ TEST(Csv, ControlCharactersAreRefused) {
 }
 
 TEST(Csv, NumbersAreFiniteAndWhole) {
-  const TextFile source = file("a\n1\n-2.5e-3\n+4\n1e308\n.5\n5e-324\n");
+  const TextFile source = file("a\n1\n-2.5e-3\n+4\n1e100\n.5\n5e-324\n");
   auto csv = CsvReader::open(source);
-  for (const double expected : {1.0, -2.5e-3, 4.0, 1e308, 0.5, 5e-324}) {
+  for (const double expected : {1.0, -2.5e-3, 4.0, 1e100, 0.5, 5e-324}) {
     ASSERT_TRUE(csv->next().value());
     EXPECT_EQ(csv->number(0, "a number").value(), expected);
   }
@@ -105,8 +105,8 @@ TEST(Csv, NumbersAreFiniteAndWhole) {
 }
 
 TEST(Csv, WhatIsNoNumberIsQuotedWithItsPlace) {
-  for (const std::string bad : {"x", "1.5x", "1,5", "nan", "-nan", "inf", "-inf", "infinity", "1e999", "0x10", "++1",
-                                "+-1", "1 2", "--", "1e", "", "٣"}) {
+  for (const std::string bad : {"x", "1.5x", "1,5", "nan", "-nan", "inf", "-inf", "infinity", "1e999", "1e101", "0x10",
+                                "++1", "+-1", "1 2", "--", "1e", "", "٣"}) {
     const TextFile source = file("label,value\nµm,\"" + bad + "\"\n");
     auto csv = CsvReader::open(source);
     ASSERT_TRUE(csv->next().value());

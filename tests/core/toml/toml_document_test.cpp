@@ -87,6 +87,13 @@ TEST(TomlDocument, WrongKindsAreNamedWithTheirPlace) {
   EXPECT_THAT(verdict("[a]\nx = 1", [](TomlTable& t) { t.tables("a"); }), HasSubstr("[[a]]"));
 }
 
+// In m it would be infinite in mm, and an arm of that size is written with NaN for its lengths.
+TEST(TomlDocument, WhatLeavesTheRangeOfADoubleWithItsUnitIsRefused) {
+  EXPECT_THAT(verdict("d = 0.61e308", [](TomlTable& t) { t.number("d"); }), HasSubstr("a number of at most 1e100"));
+  EXPECT_NE(verdict("d = [1e101]", [](TomlTable& t) { t.numbers("d"); }), "fine");
+  EXPECT_EQ(verdict("d = -1e99", [](TomlTable& t) { t.number("d"); }), "fine");
+}
+
 TEST(TomlDocument, NanAndInfinityAreRefused) {
   for (const char* value : {"nan", "inf", "-inf"}) {
     EXPECT_THAT(verdict(std::string("n = ") + value, [](TomlTable& t) { t.number("n"); }),
