@@ -13,44 +13,29 @@ namespace {
 // cache. Folding below the triangle, reflection by reflection, takes half the time of a general QR of the
 // two stacked (docs/benchmarks.md).
 constexpr Eigen::Index rows_at_once = 96;
-
-// Columns that are reflected at once: each pair of the reflector's numbers is loaded once for all of them, and their
-// sums do not wait for one another.
-constexpr int together = 4;
-
-// Reflects `width` columns, each the triangle's element over the waiting rows, whose number is even.
-template <int width, typename Vector, typename Row, typename Columns>
-void reflect(const Vector& v, double twice, Row&& row, Columns&& columns) {
-  std::array<Eigen::Array2d, width> sums;
-  sums.fill(Eigen::Array2d::Zero());
-  for (Eigen::Index r = 0; r < v.size(); r += 2) {
-    const Eigen::Array2d pair = v.template segment<2>(r).array();
-    for (int c = 0; c < width; ++c) {
-      sums[c] += pair * columns.col(c).template segment<2>(r).array();
-    }
-  }
-  std::array<double, width> along;
-  for (int c = 0; c < width; ++c) {
-    along[c] = twice * (sums[c].sum() + row[c]);
-    row[c] -= along[c];
-  }
-  for (Eigen::Index r = 0; r < v.size(); r += 2) {
-    const Eigen::Array2d pair = v.template segment<2>(r).array();
-    for (int c = 0; c < width; ++c) {
-      columns.col(c).template segment<2>(r).array() -= along[c] * pair;
-    }
-  }
-}
+constexpr Eigen::Index pairs_at_once = rows_at_once / 2;
+constexpr Eigen::Index group_size = 4;  // columns, see RowPairs
 
 }  // namespace
 
 TriangularFactor::TriangularFactor(int columns)
-    : triangle_(Eigen::MatrixXd::Zero(columns, columns)), waiting_(rows_at_once, columns) {}
+    : columns_(columns),
+      groups_((columns + group_size - 1) / group_size),
+      triangle_(decltype(triangle_)::Zero(columns, group_size * groups_)),
+      waiting_(static_cast<std::size_t>(groups_ * pairs_at_once)) {}
 
 void TriangularFactor::add(const RowsRef& rows) {
   for (Eigen::Index done = 0; done < rows.rows();) {
     const Eigen::Index take = std::min<Eigen::Index>(rows.rows() - done, rows_at_once - filled_);
-    waiting_.middleRows(filled_, take) = rows.middleRows(done, take);
+    for (Eigen::Index r = 0; r < take; ++r) {
+      const double* row = rows.data() + (done + r) * rows.innerStride();
+      double* at = waiting_[(filled_ + r) / 2].values + (filled_ + r) % 2;
+      for (Eigen::Index first = 0; first < columns_; first += group_size, at += 2 * group_size * pairs_at_once) {
+        for (Eigen::Index c = 0; c < std::min(group_size, columns_ - first); ++c) {
+          at[2 * c] = row[(first + c) * rows.outerStride()];
+        }
+      }
+    }
     filled_ += take;
     done += take;
     if (filled_ == rows_at_once) {
@@ -60,15 +45,27 @@ void TriangularFactor::add(const RowsRef& rows) {
 }
 
 // One reflection a column: it takes the waiting rows' column to zero and touches of the triangle the
-// column's own row only (Golub, Van Loan 2013, Algorithm 5.1.1 with the vector's first element 1).
+// column's own row only (Golub, Van Loan 2013, Algorithm 5.1.1 with the vector's first element 1). Columns before it
+// that stand in its group are not looked at any more.
 void TriangularFactor::fold() {
-  const Eigen::Index columns = triangle_.cols();
-  if (filled_ % 2 == 1) {
-    waiting_.row(filled_++).setZero();  // rows_at_once is even
+  Reflection* reflect = reflection_variants().back().reflect;
+  if (filled_ % 2 == 1) {  // rows_at_once is even
+    for (Eigen::Index g = 0; g < groups_; ++g) {
+      for (Eigen::Index c = 0; c < group_size; ++c) {
+        waiting_[g * pairs_at_once + filled_ / 2].values[2 * c + 1] = 0.0;
+      }
+    }
+    ++filled_;
   }
-  auto rows = waiting_.topRows(filled_);
-  for (Eigen::Index k = 0; k < columns; ++k) {
-    auto v = rows.col(k);
+  const Eigen::Index pairs = filled_ / 2;
+  std::array<RowPairs, pairs_at_once> reflector;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, rows_at_once, 1> v(filled_);
+  for (Eigen::Index k = 0; k < columns_; ++k) {
+    const RowPairs* own = waiting_.data() + k / group_size * pairs_at_once;
+    const Eigen::Index at = 2 * (k % group_size);
+    for (Eigen::Index p = 0; p < pairs; ++p) {
+      v.segment<2>(2 * p) = Eigen::Vector2d::MapAligned(own[p].values + at);
+    }
     const double below = v.squaredNorm();
     if (below == 0.0) {
       continue;
@@ -77,15 +74,20 @@ void TriangularFactor::fold() {
     const double length = std::sqrt(head * head + below);
     const double first = head <= 0.0 ? head - length : -below / (head + length);
     const double twice = 2.0 * first * first / (below + first * first);
-    triangle_(k, k) = length;
     v /= first;
-    Eigen::Index j = k + 1;
-    for (; j + together <= columns; j += together) {
-      reflect<together>(v, twice, triangle_.row(k).segment<together>(j), rows.middleCols<together>(j));
+    for (Eigen::Index p = 0; p < pairs; ++p) {
+      const Eigen::Vector2d pair = v.segment<2>(2 * p);
+      for (Eigen::Index c = 0; c < group_size; ++c) {
+        Eigen::Vector2d::MapAligned(reflector[p].values + 2 * c) = pair;
+      }
     }
-    for (; j < columns; ++j) {
-      reflect<1>(v, twice, triangle_.row(k).segment<1>(j), rows.middleCols<1>(j));
+    const Eigen::Index group = (k + 1) / group_size;
+    reflect(reflector.data(), static_cast<int>(pairs), twice, triangle_.row(k).data() + group_size * group,
+            waiting_.data() + group * pairs_at_once, pairs_at_once, static_cast<int>(groups_ - group));
+    for (Eigen::Index c = group_size * group; c < k; ++c) {
+      triangle_(k, c) = 0.0;
     }
+    triangle_(k, k) = length;
   }
   filled_ = 0;
 }
@@ -94,7 +96,7 @@ Eigen::MatrixXd TriangularFactor::triangle() {
   if (filled_ > 0) {
     fold();
   }
-  return triangle_;
+  return triangle_.leftCols(columns_);
 }
 
 Eigen::MatrixXd eliminate_leading(const Eigen::MatrixXd& rows, int nuisance_columns) {

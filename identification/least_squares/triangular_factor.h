@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
+
+#include "identification/least_squares/kernels/reflection.h"
 
 namespace artcal {
 
@@ -23,8 +27,10 @@ class TriangularFactor {
  private:
   void fold();
 
-  Eigen::MatrixXd triangle_;
-  Eigen::MatrixXd waiting_;  // its first filled_ rows are not yet folded
+  Eigen::Index columns_;
+  Eigen::Index groups_;  // of four columns; those that are too many are zero
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> triangle_;
+  std::vector<RowPairs> waiting_;  // of each group all pairs of rows; the first filled_ rows are not yet folded
   Eigen::Index filled_ = 0;
 };
 

@@ -1,0 +1,88 @@
+#include "identification/least_squares/kernels/reflection.h"
+
+namespace artcal {
+namespace {
+
+// Eight numbers; the compiler makes as many instructions of an operation as the instruction set needs.
+using Eight = double __attribute__((vector_size(64), may_alias));
+
+// `width` groups at once: their sums do not wait for one another.
+template <int width>
+[[gnu::always_inline]] inline void reflect_together(const Eight* v, int pairs, double twice, double* row,
+                                                    Eight* columns, std::ptrdiff_t stride) {
+  Eight sums[width] = {};
+  for (int p = 0; p < pairs; ++p) {
+#pragma GCC unroll 8
+    for (int g = 0; g < width; ++g) {
+      sums[g] += v[p] * columns[g * stride + p];
+    }
+  }
+  Eight along[width];
+#pragma GCC unroll 8
+  for (int g = 0; g < width; ++g) {
+    for (int c = 0; c < 4; ++c) {
+      const double by = twice * (sums[g][2 * c] + sums[g][2 * c + 1] + row[4 * g + c]);
+      row[4 * g + c] -= by;
+      along[g][2 * c] = by;
+      along[g][2 * c + 1] = by;
+    }
+  }
+  for (int p = 0; p < pairs; ++p) {
+#pragma GCC unroll 8
+    for (int g = 0; g < width; ++g) {
+      columns[g * stride + p] -= along[g] * v[p];
+    }
+  }
+}
+
+template <int width>
+[[gnu::always_inline]] inline void reflect_groups(const RowPairs* reflector, int pairs, double twice, double* row,
+                                                  RowPairs* all, std::ptrdiff_t stride, int groups) {
+  const auto* v = reinterpret_cast<const Eight*>(reflector);
+  auto* columns = reinterpret_cast<Eight*>(all);
+  int g = 0;
+  for (; g + width <= groups; g += width) {
+    reflect_together<width>(v, pairs, twice, row + 4 * g, columns + g * stride, stride);
+  }
+  for (; g < groups; ++g) {
+    reflect_together<1>(v, pairs, twice, row + 4 * g, columns + g * stride, stride);
+  }
+}
+
+// As many groups at once as leave their sums in registers.
+void reflect_by_any(const RowPairs* v, int pairs, double twice, double* row, RowPairs* columns, std::ptrdiff_t stride,
+                    int groups) {
+  reflect_groups<1>(v, pairs, twice, row, columns, stride, groups);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void reflect_by_avx2(const RowPairs* v, int pairs, double twice, double* row, RowPairs* columns,
+                                             std::ptrdiff_t stride, int groups) {
+  reflect_groups<2>(v, pairs, twice, row, columns, stride, groups);
+}
+
+[[gnu::target("avx512f")]] void reflect_by_avx512(const RowPairs* v, int pairs, double twice, double* row,
+                                                  RowPairs* columns, std::ptrdiff_t stride, int groups) {
+  reflect_groups<4>(v, pairs, twice, row, columns, stride, groups);
+}
+#endif
+
+}  // namespace
+
+const std::vector<ReflectionVariant>& reflection_variants() {
+  static const std::vector<ReflectionVariant> variants = [] {
+    std::vector<ReflectionVariant> all{{"any", reflect_by_any}};
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) {
+      all.push_back({"avx2", reflect_by_avx2});
+    }
+    if (__builtin_cpu_supports("avx512f")) {
+      all.push_back({"avx512f", reflect_by_avx512});
+    }
+#endif
+    return all;
+  }();
+  return variants;
+}
+
+}  // namespace artcal
