@@ -1,6 +1,6 @@
 #include "identification/cross_validation/leave_out.h"
 
-#include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -17,17 +17,19 @@ using Place = std::pair<int, int>;  // artefact, placement
 
 std::vector<Place> places_read(const Constraints& constraints) {
   std::vector<Place> places;
+  std::set<Place> seen;
   for (const auto& feature : constraints.features) {
     const Place place{feature.artefact, feature.placement};
-    if (std::find(places.begin(), places.end(), place) == places.end()) {
+    if (seen.insert(place).second) {
       places.push_back(place);
     }
   }
   return places;
 }
 
-LeftOut leave_out(const System& readings, const Recording& recording, const Constraints& constraints,
-                  const Place& place, const LeavingOut& leaving_out) {
+// `system` is of all readings, whose sines do not depend on the arm; what else it holds changes.
+LeftOut leave_out(System& system, const Recording& recording, const Constraints& constraints, const Place& place,
+                  const LeavingOut& leaving_out) {
   std::vector<bool> is_in_place;
   for (const auto& feature : constraints.features) {
     is_in_place.push_back(Place{feature.artefact, feature.placement} == place);
@@ -43,7 +45,6 @@ LeftOut leave_out(const System& readings, const Recording& recording, const Cons
   }
   is_in_place.flip();
   const Constraints placement = without_features(constraints, is_in_place);
-  System system = readings;  // with its readings' sines, which do not depend on the arm
   system.constraints = &placement;
   system.start = without->arm;
   system.free.clear();
@@ -81,11 +82,15 @@ std::vector<LeftOut> leave_placements_out(const System& readings, const Recordin
   std::vector<LeftOut> results(places.size());
   std::mutex counting;
   std::size_t done = 0;
-  parallel_for(places.size(), leaving_out.threads, [&](std::size_t i) {
-    results[i] = leave_out(readings, recording, constraints, places[i], leaving_out);
-    if (leaving_out.progress) {
-      const std::lock_guard lock(counting);
-      leaving_out.progress("leave-one-placement-out cross-validation", ++done, places.size());
+  std::atomic<std::size_t> next = 0;
+  on_threads(thread_count(leaving_out.threads, places.size()), [&] {
+    System system = readings;  // a copy a thread: it is as large as the recording
+    for (std::size_t i = next++; i < places.size(); i = next++) {
+      results[i] = leave_out(system, recording, constraints, places[i], leaving_out);
+      if (leaving_out.progress) {
+        const std::lock_guard lock(counting);
+        leaving_out.progress("leave-one-placement-out cross-validation", ++done, places.size());
+      }
     }
   });
   return results;

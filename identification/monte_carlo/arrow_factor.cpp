@@ -42,11 +42,25 @@ Expected<ArrowFactor> ArrowFactor::of(const Linearisation& linearisation) {
 
 void ArrowFactor::index_rows() {
   rows_of_.assign(static_cast<std::size_t>(layout_.arm), -1);
+  place_.assign(static_cast<std::size_t>(layout_.arm), 0);
   for (std::size_t i = 0; i < eliminated_.size(); ++i) {
-    for (const Eigen::Index column : eliminated_[i].columns) {
-      rows_of_[column] = static_cast<int>(i);
+    const auto& columns = eliminated_[i].columns;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      rows_of_[columns[k]] = static_cast<int>(i);
+      place_[columns[k]] = static_cast<Eigen::Index>(k);
     }
   }
+  for (std::size_t i = 0; i < eliminated_.size(); ++i) {
+    const auto& columns = eliminated_[i].columns;
+    if (std::any_of(columns.begin(), columns.end(), [&](Eigen::Index at) { return at >= layout_.common; })) {
+      for_common_.push_back(static_cast<int>(i));
+      if (!eliminated_[i].rest.empty()) {
+        for_common_.push_back(rows_of_[eliminated_[i].rest.front()]);
+      }
+    }
+  }
+  std::sort(for_common_.begin(), for_common_.end());
+  for_common_.erase(std::unique(for_common_.begin(), for_common_.end()), for_common_.end());
 }
 
 ArrowFactor::Step ArrowFactor::solve(const Eigen::VectorXd& gradient) const {
@@ -80,6 +94,48 @@ ArrowFactor::Step solve_arrow(const StateLayout& layout, const std::vector<const
     y(part.columns) = own;
   }
   return step;
+}
+
+// As solve_arrow(), without the rows where y is zero and those that nothing asked for follows from.
+Eigen::VectorXd ArrowFactor::solve_for_common(int group, const Eigen::VectorXd& gradient_of_group) const {
+  std::map<int, Eigen::VectorXd> y;  // of eliminated rows; zero in all others
+  const auto of_rows = [&](int rows) -> Eigen::VectorXd& {
+    return y.try_emplace(rows, Eigen::VectorXd::Zero(eliminated_[rows].own.cols())).first->second;
+  };
+  const Eigen::Index first = layout_.groups[group];
+  for (Eigen::Index i = 0; i < gradient_of_group.size(); ++i) {
+    of_rows(rows_of_[first + i])[place_[first + i]] = gradient_of_group[i];
+  }
+  Eigen::VectorXd common = Eigen::VectorXd::Zero(layout_.size - layout_.common);
+  auto arm = common.tail(layout_.size - layout_.arm);
+  for (auto entry = y.begin(); entry != y.end(); ++entry) {  // an interface that joins them stands behind its leaves
+    const EliminatedRows& part = eliminated_[entry->first];
+    Eigen::VectorXd& own = entry->second;
+    solve_upper_transposed(part.own, own);
+    const Eigen::VectorXd of_rest = part.by_rest.transpose() * own;
+    for (std::size_t i = 0; i < part.rest.size(); ++i) {
+      of_rows(rows_of_[part.rest[i]])[place_[part.rest[i]]] -= of_rest[static_cast<Eigen::Index>(i)];
+    }
+    arm.noalias() -= part.by_trailing.transpose() * own;
+  }
+  solve_upper_transposed(arm_, arm);
+  solve_upper(arm_, arm);
+  for (auto rows = for_common_.rbegin(); rows != for_common_.rend(); ++rows) {
+    const EliminatedRows& part = eliminated_[*rows];
+    Eigen::VectorXd of_rest(static_cast<Eigen::Index>(part.rest.size()));
+    for (std::size_t i = 0; i < part.rest.size(); ++i) {
+      of_rest[static_cast<Eigen::Index>(i)] = of_rows(rows_of_[part.rest[i]])[place_[part.rest[i]]];
+    }
+    Eigen::VectorXd own = of_rows(*rows) - part.by_rest * of_rest - part.by_trailing * arm;
+    solve_upper(part.own, own);
+    for (std::size_t i = 0; i < part.columns.size(); ++i) {
+      if (part.columns[i] >= layout_.common) {
+        common[part.columns[i] - layout_.common] = own[static_cast<Eigen::Index>(i)];
+      }
+    }
+    of_rows(*rows) = std::move(own);
+  }
+  return common;
 }
 
 // With independent w of unit variance for each row of R, δ = R⁻¹w has the covariance (RᵀR)⁻¹. Backwards, the δ of each

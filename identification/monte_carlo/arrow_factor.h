@@ -24,6 +24,9 @@ class ArrowFactor {
     double length = 0.0;
   };
   [[nodiscard]] Step solve(const Eigen::VectorXd& gradient) const;
+  /// δ of the artefact parameters and of the arm, to the last bit as solve() has it, where the gradient is zero but for
+  /// the unknowns of one group. Takes time in proportion to the artefact parameters, not to the number of groups.
+  [[nodiscard]] Eigen::VectorXd solve_for_common(int group, const Eigen::VectorXd& gradient_of_group) const;
 
   /// R⁻ᵀ·aᵀ of rows a = [the block's group | its artefact parameters | arm], a column each, without the entries that
   /// are zero: with Y of weighted rows YᵀY is their part of the hat matrix.
@@ -46,8 +49,10 @@ class ArrowFactor {
 
   StateLayout layout_;
   std::vector<EliminatedRows> eliminated_;
-  std::vector<int> rows_of_;  // of each position: which eliminated rows have it among their columns
-  Eigen::MatrixXd arm_;       // upper triangular
+  std::vector<int> rows_of_;         // of each position: which eliminated rows have it among their columns
+  std::vector<Eigen::Index> place_;  // and which of these columns it is
+  std::vector<int> for_common_;      // eliminated rows that artefact parameters follow from
+  Eigen::MatrixXd arm_;              // upper triangular
 };
 
 /// The same for a factor in parts: `rows` in the order of their elimination, and the arm's upper triangle.

@@ -51,7 +51,6 @@ std::vector<const CertifiedDistance*> all_certified(const Constraints& constrain
 Expected<CommonErrors> correlated_certificate_errors(const System& system, const ArmFit& fit,
                                                      const Recording& recording) {
   const Constraints& constraints = *system.constraints;
-  const StateLayout layout = layout_of(constraints, system.arm_size());
   const int common = system.shared_size() + system.arm_size();
   CommonErrors lacking{Eigen::VectorXd::Zero(system.shared_size()),
                        Eigen::MatrixXd::Zero(system.arm_size(), system.arm_size())};
@@ -75,13 +74,12 @@ Expected<CommonErrors> correlated_certificate_errors(const System& system, const
       continue;
     }
     const FeatureConstraint& first = constraints.features[distance.first];
-    const Eigen::Index at = layout.groups[first.group];
-    Eigen::VectorXd slope = Eigen::VectorXd::Zero(layout.size);
+    Eigen::VectorXd slope(constraints.groups[first.group].size);
     weighted_distance(distance, constraints, fit.counted.distances[d], fit.unknowns.groups[first.group].values.data(),
-                      slope.data() + at);
+                      slope.data());
     // δ = (RᵀR)⁻¹ Jᵀ w·(change of the length), in mm and rad per mm.
     const Eigen::VectorXd answer =
-        fit.counted.distances[d] * scale.cwiseProduct(factor->solve(slope).numbers.tail(common));
+        fit.counted.distances[d] * scale.cwiseProduct(factor->solve_for_common(first.group, slope));
     const CertifiedDistance& certificate = *certified[certificates[d]];
     of_certificates[certificates[d]].add(first.expansion * certificate.u * answer, system.arm_size());
     const double u_expansion = constraints.artefacts[first.artefact].u_expansion;

@@ -146,6 +146,24 @@ TEST(ArrowFactor, SolvesAsTheDenseNormalMatrixDoes) {
   }
 }
 
+TEST(ArrowFactor, SolvesForCommonNumbersToTheSameBits) {
+  RandomStream random(5, "gradient of a group");
+  for (const Artefacts& artefacts : kinds) {
+    const Linearisation linearisation = random_linearisation(artefacts);
+    const StateLayout& layout = linearisation.layout;
+    const auto factor = ArrowFactor::of(linearisation);
+    ASSERT_TRUE(factor) << factor.error().text();
+    for (int group = 0; group < static_cast<int>(layout.groups.size()); ++group) {
+      Eigen::VectorXd gradient_there = Eigen::VectorXd::Zero(layout.size);
+      auto own = gradient_there.segment(layout.groups[group], 6);
+      for (double& number : own) number = random.normal();
+      own[2] = 0.0;
+      const Eigen::VectorXd expected = factor->solve(gradient_there).numbers.tail(layout.size - layout.common);
+      EXPECT_EQ(factor->solve_for_common(group, own), expected) << "group " << group;
+    }
+  }
+}
+
 // Blocks count with weights of their own, some not at all.
 TEST(FitSpread, IsThatOfTheDenseInverse) {
   for (const Artefacts& artefacts : kinds) {
