@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <map>
-#include <numeric>
-#include <tuple>
 #include <type_traits>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -38,6 +37,9 @@ int determined_numbers(const FitOptions& options) {
 // With that many degrees of freedom the noise is known well enough to judge all points at once.
 constexpr int plenty = 100;
 constexpr int max_rounds = 50;
+// Beyond, the search begins among some of the points.
+constexpr Eigen::Index many_points = 50'000;
+constexpr Eigen::Index searched_points = 10'000;
 
 Expected<void> check(const FitOptions& options, const RobustOptions& robust) {
   if (options.criterion != Criterion::LeastSquares) {
@@ -56,24 +58,40 @@ Expected<void> check(const FitOptions& options, const RobustOptions& robust) {
 struct Distinct {
   Eigen::Matrix3Xd points;
   Eigen::VectorXd weights;
-  std::vector<int> of;  ///< of each point; -1: it has weight zero
+  std::vector<int> of{};  ///< of each point; -1: it has weight zero
+};
+
+/// Columns by their coordinates.
+struct SameCoordinates {
+  const Points& points;
+  bool operator()(int a, int b) const { return points.col(a) == points.col(b); }
+  std::size_t operator()(int a) const {
+    std::size_t hash = 0;
+    for (const double coordinate : points.col(a)) {
+      hash = 0x9E3779B97F4A7C15u * (hash ^ (hash >> 29u) ^ std::hash<double>()(coordinate));
+    }
+    return hash ^ (hash >> 32u);
+  }
 };
 
 Distinct distinct_points(const Points& points, const Eigen::VectorXd& weights) {
   Distinct distinct;
-  std::map<std::tuple<double, double, double>, int> known;
+  const SameCoordinates same{points};
+  const auto size = static_cast<std::size_t>(points.cols());
+  std::unordered_set<int, SameCoordinates, SameCoordinates> known(size, same, same);
   std::vector<int> first;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+  distinct.of.assign(size, -1);
+  for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
     if (weights.size() > 0 && weights(i) == 0.0) {
-      distinct.of.push_back(-1);
       continue;
     }
-    const auto [at, is_new] =
-        known.try_emplace({points(0, i), points(1, i), points(2, i)}, static_cast<int>(first.size()));
+    const auto [at, is_new] = known.insert(i);
     if (is_new) {
-      first.push_back(static_cast<int>(i));
+      distinct.of[i] = static_cast<int>(first.size());
+      first.push_back(i);
+    } else {
+      distinct.of[i] = distinct.of[*at];
     }
-    distinct.of.push_back(at->second);
   }
   distinct.points = points(Eigen::all, first);
   distinct.weights =
@@ -95,11 +113,9 @@ class Search {
         kept_(static_cast<std::size_t>(points_.cols()), false) {}
 
   std::vector<bool> from(const F& start, Eigen::Index sound) {
-    for (Eigen::Index i = 0; i < points_.cols(); ++i) {
-      distances_.push_back(std::abs(signed_distance(start, points_.col(i))) * std::sqrt(weights_(i)));
+    if (points_.cols() <= many_points || !begin_with_some(start, sound)) {
+      begin_with_all(start, sound);
     }
-    keep_nearest(sound);
-    concentrate(sound);
     const auto most = points_.cols() + max_rounds;
     for (Eigen::Index round = 0; round < most && grow(); ++round) {
     }
@@ -107,6 +123,45 @@ class Search {
   }
 
  private:
+  void begin_with_all(const F& start, Eigen::Index sound) {
+    distances_.clear();
+    for (Eigen::Index i = 0; i < points_.cols(); ++i) {
+      distances_.push_back(std::abs(signed_distance(start, points_.col(i))) * std::sqrt(weights_(i)));
+    }
+    keep_nearest(sound);
+    concentrate(sound);
+  }
+
+  // The search among points evenly taken, whose fit says which of all are kept first (Rousseeuw, Van Driessen 1999,
+  // §3.3): false where it has no fit that can judge.
+  bool begin_with_some(const F& start, Eigen::Index sound) {
+    const Eigen::Index count = points_.cols();
+    std::vector<Eigen::Index> some;
+    for (Eigen::Index i = 0; i < searched_points; ++i) {
+      some.push_back(i * count / searched_points);
+    }
+    const Distinct part{points_(Eigen::all, some), weights_(some)};
+    Search coarse(part, options_, chance_, dimensions_);
+    coarse.from(start, (searched_points * sound + count - 1) / count);
+    const auto fitted = coarse.fit_kept();
+    if (!fitted || fitted->degrees_of_freedom < plenty) {
+      return false;
+    }
+    distances_.assign(kept_.size(), 0.0);
+    standardise(*fitted);
+    keep_all_within(fitted->degrees_of_freedom);
+    return true;
+  }
+
+  Search(const Distinct& distinct, const FitOptions& options, double chance, int dimensions)
+      : points_(distinct.points),
+        weights_(distinct.weights),
+        options_(options),
+        dimensions_(dimensions),
+        chance_(chance),
+        floor_(64.0 * std::numeric_limits<double>::epsilon() * points_.cwiseAbs().maxCoeff()),
+        kept_(static_cast<std::size_t>(points_.cols()), false) {}
+
   [[nodiscard]] Eigen::Index kept_count() const { return std::count(kept_.begin(), kept_.end(), true); }
 
   [[nodiscard]] Expected<Fitted<F>> fit_kept() const {
@@ -119,13 +174,18 @@ class Search {
   }
 
   void keep_nearest(Eigen::Index count) {
-    std::vector<std::size_t> order(distances_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return distances_[a] < distances_[b]; });
-    kept_.assign(kept_.size(), false);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      kept_[order[static_cast<std::size_t>(i)]] = true;
+    if (count <= 0) {
+      kept_.assign(kept_.size(), false);
+      return;
+    }
+    auto nearest = distances_;
+    const auto last = nearest.begin() + (count - 1);
+    std::nth_element(nearest.begin(), last, nearest.end());
+    const double farthest = *last;
+    // Of equal distances those of the first points.
+    auto equal = count - std::count_if(nearest.begin(), last, [&](double distance) { return distance < farthest; });
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      kept_[i] = distances_[i] < farthest || (distances_[i] == farthest && equal-- > 0);
     }
   }
 

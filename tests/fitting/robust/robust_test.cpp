@@ -69,6 +69,36 @@ TEST(RobustSphere, AStemOfFourTenthsOfThePoints) {
   EXPECT_EQ(result->outliers.size(), 40u);
 }
 
+// Beyond 50,000 points the search begins among some of them: what it ends at is what all points say.
+TEST(RobustSphere, OfManyPointsKeepsThoseThatTheirOwnFitKeeps) {
+  constexpr int count = 60'000;
+  constexpr double noise = 0.01;
+  Eigen::Matrix3Xd points(3, count);
+  RandomStream random(4, "many points");
+  for (int i = 0; i < count; ++i) {
+    const bool is_stem = i >= count - count / 3;  // the last third, in one place
+    points.col(i) =
+        is_stem ? Eigen::Vector3d(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), -random.uniform(9.0, 40.0))
+                : Eigen::Vector3d(12.7 * random.direction());
+    points.col(i) += noise * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+  }
+  points.col(7) = points.col(5);
+  const auto result = fit_robust<Sphere>(points);
+  ASSERT_TRUE(result) << result.error().text();
+  EXPECT_NEAR(result->fitted.feature.radius, 12.7, 1e-3);
+  FitOptions kept;
+  kept.weights = Eigen::VectorXd::Ones(count);
+  kept.weights(result->outliers).setZero();
+  const auto again = fit<Sphere>(points, kept);
+  ASSERT_TRUE(again) << again.error().text();
+  for (int i = 0; i < count; ++i) {
+    const double standardised = std::abs(signed_distance(again->feature, points.col(i))) / *again->noise;
+    if (std::abs(standardised - 4.0) > 0.01) {
+      EXPECT_EQ(kept.weights(i) == 0.0, standardised > 4.0) << i;
+    }
+  }
+}
+
 TEST(RobustSphere, TheListIsMadeAnewUntilItStands) {
   // A sphere through four of 25 points is a poor judge; the fit of those it kept is a better one.
   std::size_t lost = 0;
