@@ -3,8 +3,9 @@
 # reported, and opened in a Chromium without a window (and without a graphics card), a few times, each with a fresh profile.
 #   bench/report_opening.sh [PROGRAM [PLACEMENTS [TIMES [PAGE.html]]]]
 # A placement is 1,000 readings. A page that is named is opened as it is, and nothing is made. Prints, each time, wall
-# seconds from when the page was asked for (the browser running) until its last figure is drawn, the CPU time until
-# then, and how busy the machine is. On a busy machine: chrt -r 5 bench/report_opening.sh, as root.
+# seconds from when the page was asked for (the browser running) until the figures in view are drawn, the CPU time until
+# then, and how busy the machine is. HEIGHT=20000 makes the screen so high that all of them are in view. On a busy
+# machine: chrt -r 5 bench/report_opening.sh, as root.
 set -euo pipefail
 root=$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")
 program=$(readlink -f -- "${1:-$root/build/release/app/artcal}")
@@ -45,7 +46,7 @@ open_once() {
   : >"$out"
   # The browser is up and idle before the page is asked for.
   printf '<meta http-equiv="refresh" content="3;url=%s">' "$2" >"$folder/start.html"
-  setsid chromium --headless --no-sandbox --disable-dev-shm-usage --enable-unsafe-swiftshader --window-size=1200,900 \
+  setsid chromium --headless --no-sandbox --disable-dev-shm-usage --enable-unsafe-swiftshader --window-size="1200,${HEIGHT:-900}" \
     --remote-debugging-port=0 --enable-logging=stderr --user-data-dir="$folder/profile-$1" "file://$folder/start.html" \
     >/dev/null 2>"$out" &
   browser=$!

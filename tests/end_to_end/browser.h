@@ -21,12 +21,13 @@ struct Opened {
 template <typename Base>
 class Browsing : public Base {
  protected:
+  /// On a screen so high that every figure is in view, but where `options` have a size of their own.
   /// REQUIRES: Chromium is installed (cmake/packages.txt).
   [[nodiscard]] Opened open(const std::string& page, const std::vector<std::string>& options = {}) const {
     return open_url("file://" + this->file(page).string(), options);
   }
   [[nodiscard]] Opened open_url(const std::string& url, const std::vector<std::string>& options = {}) const {
-    std::vector<std::string> arguments{"--dump-dom"};
+    std::vector<std::string> arguments{"--dump-dom", "--window-size=900,30000"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Ended ended = chromium(arguments, url);
     Opened opened{ended.out, {}};

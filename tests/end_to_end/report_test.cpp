@@ -51,6 +51,15 @@ TEST_F(Report, OfAnIdentificationOpensWithoutComplaintAndDrawsEveryFigure) {
   EXPECT_EQ(count(opened.document, "role=\"img\" aria-label=\""), 5u);
 }
 
+TEST_F(Report, DrawsNoFigureBeforeItComesIntoView) {
+  identify("ball-bar");
+  report();
+  const Opened opened = open("report.html", {"--window-size=900,400"});
+  EXPECT_THAT(opened.complaints, IsEmpty());
+  EXPECT_THAT(opened.document, HasSubstr("data-drawn=\"in view\""));
+  EXPECT_EQ(count(opened.document, "class=\"main-svg\""), 0u);
+}
+
 TEST_F(Report, WithoutWebGlIsDrawnFlat) {
   identify("two-socket-bar", {"--no-leave-out"});
   report();
@@ -100,6 +109,9 @@ TEST_F(Report, PrintsOnA4) {
   EXPECT_THAT(text, HasSubstr("Identified, with reservations"));
   EXPECT_THAT(text, HasSubstr("lz + d7 is identifiable, d7 alone is not; d7 is fixed"));
   EXPECT_THAT(text, HasSubstr("1/" + pages[1].str()));
+  EXPECT_THAT(text, HasSubstr("q7, °")) << "an axis of a figure that was never in view";
+  EXPECT_THAT(run_command({"pdfimages", "-list", file("printed.pdf").string()}).out, HasSubstr("image"))
+      << "what stands in space";
 }
 
 TEST_F(Report, OfHostileNamesShowsThemAsText) {
