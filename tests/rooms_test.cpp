@@ -18,14 +18,16 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// Headers and sources below the layers' folders, by the folder they are in, from the root.
-std::map<std::string, std::vector<fs::path>> rooms(const fs::path& root) {
+const std::vector<std::string> layers{"core", "acquisition", "fitting", "artefacts", "identification", "app"};
+
+/// Headers and sources below these folders, by the folder they are in, from the root.
+std::map<std::string, std::vector<fs::path>> rooms(const fs::path& root, const std::vector<std::string>& folders) {
   std::map<std::string, std::vector<fs::path>> all;
-  for (const char* layer : {"core", "acquisition", "fitting", "artefacts", "identification", "app"}) {
-    if (!fs::is_directory(root / layer)) {
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(root / folder)) {
       continue;
     }
-    for (const auto& entry : fs::recursive_directory_iterator(root / layer)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") {
         all[fs::relative(entry.path().parent_path(), root).generic_string()].push_back(entry.path());
       }
@@ -35,8 +37,10 @@ std::map<std::string, std::vector<fs::path>> rooms(const fs::path& root) {
 }
 
 std::vector<std::string> crowded(const fs::path& root, std::size_t most) {
+  std::vector<std::string> folders = layers;
+  folders.emplace_back("tests");
   std::vector<std::string> found;
-  for (const auto& [room, files] : rooms(root)) {
+  for (const auto& [room, files] : rooms(root, folders)) {
     if (files.size() > most) {
       found.push_back(room + ": " + std::to_string(files.size()));
     }
@@ -46,7 +50,7 @@ std::vector<std::string> crowded(const fs::path& root, std::size_t most) {
 
 std::set<std::string> sources_without_header(const fs::path& root) {
   std::set<std::string> found;
-  for (const auto& [room, files] : rooms(root)) {
+  for (const auto& [room, files] : rooms(root, layers)) {
     for (fs::path file : files) {
       if (file.extension() == ".cpp" && !fs::exists(fs::path(file).replace_extension(".h"))) {
         found.insert(room + "/" + file.filename().string());
@@ -99,11 +103,12 @@ TEST(Rooms, ASourceHasAHeaderOfItsName) {
 
 TEST(Rooms, TheCheckSeesWhatIsWrong) {
   const testing::TemporaryFolder folder;
-  for (const char* name : {"core/a.h", "core/a.cpp", "core/text/b.cpp", "core/text/c.h"}) {
+  for (const char* name :
+       {"core/a.h", "core/a.cpp", "core/text/b.cpp", "core/text/c.h", "tests/a_test.cpp", "tests/b_test.cpp"}) {
     fs::create_directories((folder.path() / name).parent_path());
     (void)folder.write(name, "");
   }
-  EXPECT_THAT(crowded(folder.path(), 1), ElementsAre("core: 2", "core/text: 2"));
+  EXPECT_THAT(crowded(folder.path(), 1), ElementsAre("core: 2", "core/text: 2", "tests: 2"));
   EXPECT_THAT(crowded(folder.path(), 2), IsEmpty());
   EXPECT_THAT(sources_without_header(folder.path()), ElementsAre("core/text/b.cpp"));
 }
