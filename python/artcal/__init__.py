@@ -4,26 +4,21 @@ Lengths are in mm, angles in rad, temperatures in degrees Celsius. Every functio
 command of the same name, bit for bit.
 """
 
-from ._native import Arm, __version__
-from .commands import (
-    batch,
+from ._archive import batch, history, report
+from ._arms import export_urdf, import_arm
+from ._identification import (
     evaluate,
-    export_urdf,
-    fit,
-    history,
     identifiability,
     identify,
-    import_arm,
     inspect,
     monte_carlo,
     plan,
-    points,
-    report,
-    segment,
     simulate,
     uncertainty,
-    verify,
 )
+from ._native import Arm, __version__
+from ._points import fit, points, segment
+from ._verification import verify
 from .errors import BadInputError, Error, NoSolutionError, UsageError
 from .recording import Recording
 from .result import Result, Table
