@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/overloaded.h"
 #include "identification/least_squares/linearisation.h"
 #include "identification/least_squares/row_stack.h"
 #include "identification/least_squares/rows.h"
@@ -20,19 +21,10 @@ constexpr int min_of_feature = 10;
 // not determine keeps its value instead of being free.
 constexpr double faint = 1e-7;
 
-/// Columns of a block's weighted rows: its nuisance unknowns, the arm's parameters, the effects, the residuals.
-struct Columns {
-  int nuisance, arm, effects;
-
-  [[nodiscard]] int fitted() const { return nuisance + arm; }
-  [[nodiscard]] int residual_at() const { return fitted() + effects; }
-  [[nodiscard]] int all() const { return residual_at() + 1; }
-};
-
 /// The rows of a block as they are, not folded.
 struct RowsOfBlock {
   Block block;
-  Columns columns;
+  BlockColumns columns;
   RowMatrix rows;
   Eigen::Index first = 0;  // among all rows
 };
@@ -59,8 +51,8 @@ class Projection {
     linearisation.layout = layout_of(*system_.constraints, system_.arm_size());
     std::vector<RowsOfBlock> blocks;
     for (const Block& block : blocks_of(*system_.constraints)) {
-      const GroupState& group = block.group < 0 ? none_ : fit_.unknowns.groups[block.group];
-      blocks.push_back({block, {block.nuisance(), system_.arm_size(), effects_.size()}, rows_of(block, group), rows_});
+      const BlockColumns columns(block, system_, effects_.size());
+      blocks.push_back({block, columns, rows_of(block, columns), rows_});
       rows_ += blocks.back().rows.rows();
       linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, determined(blocks.back())});
     }
@@ -74,45 +66,40 @@ class Projection {
   }
 
  private:
-  RowMatrix rows_of(const Block& block, const GroupState& group) {
+  RowMatrix rows_of(const Block& block, const BlockColumns& columns) {
     const Constraints& constraints = *system_.constraints;
-    const Columns columns{block.nuisance(), system_.arm_size(), effects_.size()};
+    const BlockPoint point = point_of(block, fit_.unknowns);
     Eigen::Index most = static_cast<Eigen::Index>(block.distances.size()) + block.parameters.size;
     for (const int f : block.features) {
       most += looked_at(constraints.features[f]) * constraints.features[f].dimension();
     }
     RowMatrix rows = RowMatrix::Zero(most, columns.all());
     Eigen::Index count = 0;
-    for (const int f : block.features) {
-      const FeatureConstraint& feature = constraints.features[f];
-      const FeatureResidual residual(feature, group.reference, group.values.data(), fit_.unknowns.shared.data());
+    const auto add_readings = [&](const FeatureReadings& readings) {
+      const auto& [f, feature, residual] = readings;
       const int dimension = feature.dimension();
       for (int k = 0; k < feature.size(); k += stride(feature)) {
-        double* row = rows.row(count).data();
-        weighted_rows(
-            system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k, 1,
-            {columns.all(), row + columns.residual_at(), row + columns.nuisance, block.unknowns > 0 ? row : nullptr,
-             block.parameters.size > 0 ? row + block.unknowns : nullptr, block.parameters.first});
-        rows.block(count, columns.fitted(), dimension, columns.effects) = slopes_of(f, k, residual);
+        weighted_rows(system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k, 1,
+                      columns.out(rows.row(count).data()));
+        rows.block(count, columns.fitted(), dimension, columns.beside) = slopes_of(f, k, residual);
         add_observation(count, dimension, units_++);
         count += dimension;
       }
-    }
-    for (const int d : block.distances) {
-      const DistanceConstraint& distance = constraints.distances[d];
+    };
+    const auto add_distance = [&](const BindingDistance& distance) {
       auto row = rows.row(count);
-      row[columns.residual_at()] =
-          weighted_distance(distance, constraints, fit_.counted.distances[d], group.values.data(), row.data());
-      add_observation(count++, 1, unit_of(distance));
-    }
-    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
-      const int s = block.parameters.first + i;
-      if (const double weight = fit_.counted.shared[s]; weight > 0.0) {
-        rows(count, block.unknowns + i) = weight;
-        rows(count, columns.residual_at()) = weighted_shared(constraints.shared[s], weight, fit_.unknowns.shared[s]);
+      row[columns.residual()] = weighted_distance(distance.distance, constraints,
+                                                  fit_.counted.distances[distance.index], point.values, row.data());
+      add_observation(count++, 1, unit_of(distance.distance));
+    };
+    const auto add_certificate = [&](const CertifiedParameter& certified) {
+      if (const double weight = fit_.counted.shared[certified.index]; weight > 0.0) {
+        rows(count, columns.unknowns + certified.column) = weight;
+        rows(count, columns.residual()) = weighted_shared(certified.parameter, weight, point.shared[certified.index]);
         add_observation(count++, 1, units_++);
       }
-    }
+    };
+    for_each_observation(constraints, block, point, Overloaded{add_readings, add_distance, add_certificate});
     return rows.topRows(count);
   }
 
@@ -133,8 +120,8 @@ class Projection {
   [[nodiscard]] Eigen::MatrixXd determined(const RowsOfBlock& of_block) const {
     RowStack stack(of_block.columns.all());
     stack.add(of_block.rows);
-    RowMatrix own = RowMatrix::Zero(of_block.columns.nuisance, of_block.columns.all());
-    for (int i = 0; i < of_block.columns.nuisance; ++i) {
+    RowMatrix own = RowMatrix::Zero(of_block.columns.nuisance(), of_block.columns.all());
+    for (int i = 0; i < of_block.columns.nuisance(); ++i) {
       own(i, i) = faint * std::max(1.0, of_block.rows.col(i).norm());
     }
     stack.add(own);
@@ -233,7 +220,6 @@ class Projection {
   const System& system_;
   const ArmFit& fit_;
   const EffectColumns& effects_;
-  const GroupState none_;
   std::vector<ForwardKinematics> kinematics_by_probe_;
   int every_;
   Eigen::Index looked_at_ = 0;

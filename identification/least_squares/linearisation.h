@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "identification/least_squares/blocks.h"
+#include "identification/least_squares/rows.h"
 #include "identification/problem/loss.h"
 #include "identification/problem/system.h"
 
@@ -33,13 +34,6 @@ struct BlockRows {
 struct Linearisation {
   std::vector<BlockRows> blocks;  ///< as blocks_of()
   StateLayout layout;
-};
-
-/// Where a block is taken: its group's reference and values, and the values of all artefact parameters.
-struct BlockPoint {
-  const GroupReference& reference;
-  const double* values = nullptr;
-  const double* shared = nullptr;
 };
 
 /// The rows of one block.

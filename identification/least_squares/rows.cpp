@@ -91,6 +91,21 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
   }
 }
 
+RowsOut BlockColumns::out(double* row) const {
+  return {all(),
+          row + residual(),
+          row + nuisance(),
+          unknowns > 0 ? row : nullptr,
+          parameters.size > 0 ? row + unknowns : nullptr,
+          parameters.first};
+}
+
+BlockPoint point_of(const Block& block, const Unknowns& unknowns) {
+  static const GroupState none;
+  const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
+  return {group.reference, group.values.data(), unknowns.shared.data()};
+}
+
 double weighted_distance(const DistanceConstraint& distance, const Constraints& constraints, double weight,
                          const double* group_values, double* by_group) {
   const FeatureConstraint& first = constraints.features[distance.first];

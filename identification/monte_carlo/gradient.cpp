@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/overloaded.h"
+
 namespace artcal {
 namespace {
 
@@ -22,7 +24,7 @@ GradientScratch gradient_scratch(const System& system) {
   GradientScratch scratch{blocks_of(*system.constraints), {}, Eigen::VectorXd(3 * readings_in_step)};
   int columns = 0;
   for (const Block& block : scratch.blocks) {
-    columns = std::max(columns, block.nuisance() + system.arm_size() + 1);
+    columns = std::max(columns, BlockColumns(block, system).all());
   }
   scratch.rows.resize(3 * readings_in_step, columns);
   return scratch;
@@ -39,49 +41,48 @@ Eigen::VectorXd gradient(const System& system, const Weights& weights, Loss loss
   Eigen::VectorXd row;
   for (const Block& block : scratch.blocks) {
     const Eigen::Index at = block.group < 0 ? 0 : layout.groups[block.group];
-    const GroupReference& reference = block.group < 0 ? none : unknowns.groups[block.group].reference;
-    const double* values = numbers.data() + at;
+    const BlockPoint point{block.group < 0 ? none : unknowns.groups[block.group].reference, numbers.data() + at,
+                           shared};
     auto by_group = sum.segment(at, block.unknowns);
     auto by_parameters = sum.segment(layout.common + block.parameters.first, block.parameters.size);
-    const int before_arm = block.nuisance();
-    const int columns = before_arm + system.arm_size() + 1;
-    Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_in_step, columns);
-    for (const int f : block.features) {
-      const FeatureConstraint& feature = constraints.features[f];
-      const FeatureResidual residual(feature, reference, values, shared);
-      rows.leftCols(before_arm).setZero();  // each feature fills its own columns only
+    const BlockColumns columns(block, system);
+    Eigen::Map<RowMatrix> rows(scratch.rows.data(), 3 * readings_in_step, columns.all());
+    const auto add_readings = [&](const FeatureReadings& readings) {
+      const auto& [f, feature, residual] = readings;
+      rows.leftCols(columns.nuisance()).setZero();  // each feature fills its own columns only
       for (int first = 0; first < feature.size(); first += readings_in_step) {
         const int count = std::min(readings_in_step, feature.size() - first);
         const Eigen::Index used = count * feature.dimension();
-        weighted_rows(
-            system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
-            {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
-             block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
+        weighted_rows(system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
+                      columns.out(rows.data()));
         auto r = scratch.residuals.head(used);
-        r = rows.col(columns - 1).head(used);
+        r = rows.col(columns.residual()).head(used);
         if (loss != Loss::None) {
           reweight(loss, feature.dimension(), weights.features[f], first, r);
         }
         by_group.noalias() += rows.topLeftCorner(used, block.unknowns).transpose() * r;
         by_parameters.noalias() += rows.block(0, block.unknowns, used, block.parameters.size).transpose() * r;
-        by_arm.noalias() += rows.block(0, before_arm, used, system.arm_size()).transpose() * r;
+        by_arm.noalias() += rows.block(0, columns.nuisance(), used, system.arm_size()).transpose() * r;
       }
-    }
-    row.resize(block.unknowns);
-    for (const int d : block.distances) {
-      const double r =
-          weighted_distance(constraints.distances[d], constraints, weights.distances[d], values, row.data());
-      const double slope =
-          loss_reaches_distances(loss, weights) ? loss_of(loss, r * r, weights.distance_variance[d]).slope : 1.0;
+    };
+    const auto add_distance = [&](const BindingDistance& distance) {
+      row.resize(block.unknowns);
+      const double r = weighted_distance(distance.distance, constraints, weights.distances[distance.index],
+                                         point.values, row.data());
+      const double slope = loss_reaches_distances(loss, weights)
+                               ? loss_of(loss, r * r, weights.distance_variance[distance.index]).slope
+                               : 1.0;
       by_group += slope * r * row;
-    }
-    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
-      const int s = block.parameters.first + i;
-      const double r = weighted_shared(constraints.shared[s], weights.shared[s], shared[s]);
-      const double slope =
-          loss_reaches_shared(loss, weights) ? loss_of(loss, r * r, weights.shared_variance[s]).slope : 1.0;
-      by_parameters[i] += slope * weights.shared[s] * r;
-    }
+    };
+    const auto add_certificate = [&](const CertifiedParameter& certified) {
+      const double weight = weights.shared[certified.index];
+      const double r = weighted_shared(certified.parameter, weight, shared[certified.index]);
+      const double slope = loss_reaches_shared(loss, weights)
+                               ? loss_of(loss, r * r, weights.shared_variance[certified.index]).slope
+                               : 1.0;
+      by_parameters[certified.column] += slope * weight * r;
+    };
+    for_each_observation(constraints, block, point, Overloaded{add_readings, add_distance, add_certificate});
   }
   return sum;
 }

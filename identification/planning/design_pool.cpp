@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/overloaded.h"
 #include "identification/initial/nuisance_estimation.h"
 #include "identification/least_squares/rows.h"
 #include "identification/least_squares/triangular_factor.h"
@@ -43,19 +44,21 @@ Places places_of(const Constraints& constraints) {
 void add_readings(const System& system, const FeatureWeights& weights,
                   const std::vector<ForwardKinematics>& kinematics_by_probe, const Unknowns& unknowns, int index,
                   int first_column, int shared, PossiblePlacement& placement) {
-  const FeatureConstraint& feature = system.constraints->features[index];
-  const GroupState none;
-  const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
-  const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
+  Block block{system.constraints->features[index].group, 0, {}};
+  block.features = {index};
   const int columns = placement.unknowns + shared + system.arm_size();
-  for (int k = 0; k < feature.size(); ++k) {
-    RowMatrix rows = RowMatrix::Zero(feature.dimension(), columns + 1);
-    weighted_rows(system, feature, weights, kinematics_by_probe, residual, k, 1,
-                  {rows.cols(), rows.data() + columns, rows.data() + placement.unknowns + shared,
-                   feature.group < 0 ? nullptr : rows.data() + first_column,
-                   system.shared_size() > 0 ? rows.data() + placement.unknowns : nullptr});
-    placement.readings.push_back({feature.readings[k], index, rows.leftCols(columns)});
-  }
+  const auto add = [&](const FeatureReadings& of) {
+    for (int k = 0; k < of.feature.size(); ++k) {
+      RowMatrix rows = RowMatrix::Zero(of.feature.dimension(), columns + 1);
+      weighted_rows(system, of.feature, weights, kinematics_by_probe, of.residual, k, 1,
+                    {rows.cols(), rows.data() + columns, rows.data() + placement.unknowns + shared,
+                     block.group < 0 ? nullptr : rows.data() + first_column,
+                     system.shared_size() > 0 ? rows.data() + placement.unknowns : nullptr});
+      placement.readings.push_back({of.feature.readings[k], index, rows.leftCols(columns)});
+    }
+  };
+  for_each_observation(*system.constraints, block, point_of(block, unknowns),
+                       Overloaded{add, [](const BindingDistance&) {}, [](const CertifiedParameter&) {}});
 }
 
 /// The errors that certificates bring into every placement alike, and their common columns.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/overloaded.h"
 #include "identification/least_squares/rows.h"
 #include "identification/monte_carlo/arrow_factor.h"
 #include "identification/uncertainty/fit_spread.h"
@@ -128,49 +129,46 @@ Redundancy redundancy_of(const System& system, const Weights& weights, const Los
   }
   const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const auto blocks = blocks_of(constraints);
-  const GroupState none;
   Redundancy redundancy;
   redundancy.readings.resize(constraints.features.size());
   redundancy.distances.resize(constraints.distances.size());
   redundancy.shared.resize(constraints.shared.size());
   for (const Block& block : blocks) {
-    const GroupState& group = block.group < 0 ? none : unknowns.groups[block.group];
-    const int before_arm = block.nuisance();
-    const int columns = before_arm + system.arm_size() + 1;
-    RowMatrix rows(3 * readings_of_a_block, columns);
-    for (const int f : block.features) {
-      const FeatureConstraint& feature = constraints.features[f];
-      const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
-      rows.leftCols(before_arm).setZero();
+    const BlockPoint point = point_of(block, unknowns);
+    const BlockColumns columns(block, system);
+    RowMatrix rows(3 * readings_of_a_block, columns.all());
+    const auto check_readings = [&](const FeatureReadings& readings) {
+      const auto& [f, feature, residual] = readings;
+      rows.leftCols(columns.nuisance()).setZero();
       for (int first = 0; first < feature.size(); first += readings_of_a_block) {
         const int count = std::min(readings_of_a_block, feature.size() - first);
-        weighted_rows(
-            system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
-            {columns, rows.data() + columns - 1, rows.data() + before_arm, block.unknowns > 0 ? rows.data() : nullptr,
-             block.parameters.size > 0 ? rows.data() + block.unknowns : nullptr, block.parameters.first});
+        weighted_rows(system, feature, weights.features[f], kinematics_by_probe, residual, first, count,
+                      columns.out(rows.data()));
+        const std::vector<double>& own = counted.readings[f];
         checking.append(
-            block, rows.topLeftCorner(count * feature.dimension(), columns - 1), feature.dimension(),
-            [&](std::size_t i) { return counted.readings[f][static_cast<std::size_t>(first) + i]; },
-            redundancy.readings[f]);
+            block, rows.topLeftCorner(count * feature.dimension(), columns.fitted()), feature.dimension(),
+            [&](std::size_t i) { return own[static_cast<std::size_t>(first) + i]; }, redundancy.readings[f]);
       }
-    }
+    };
     const auto check_of = [&](const RowMatrix& row, double weight) {
       std::vector<Check> one;
       checking.append(
           block, row, 1, [&](std::size_t) { return weight; }, one);
       return one.front();
     };
-    for (const int d : block.distances) {
-      RowMatrix row = RowMatrix::Zero(1, columns - 1);
-      weighted_distance(constraints.distances[d], constraints, weights.distances[d], group.values.data(), row.data());
+    const auto check_distance = [&](const BindingDistance& distance) {
+      const auto d = static_cast<std::size_t>(distance.index);
+      RowMatrix row = RowMatrix::Zero(1, columns.fitted());
+      weighted_distance(distance.distance, constraints, weights.distances[d], point.values, row.data());
       redundancy.distances[d] = check_of(row, counted.distances[d]);
-    }
-    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i) {
-      const int s = block.parameters.first + i;
-      RowMatrix row = RowMatrix::Zero(1, columns - 1);
-      row(0, block.unknowns + i) = weights.shared[s];
+    };
+    const auto check_certificate = [&](const CertifiedParameter& certified) {
+      const auto s = static_cast<std::size_t>(certified.index);
+      RowMatrix row = RowMatrix::Zero(1, columns.fitted());
+      row(0, columns.unknowns + certified.column) = weights.shared[s];
       redundancy.shared[s] = check_of(row, counted.shared[s]);
-    }
+    };
+    for_each_observation(constraints, block, point, Overloaded{check_readings, check_distance, check_certificate});
   }
   return redundancy;
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/QR>
 
+#include "core/overloaded.h"
 #include "identification/identifiability/weak_parameters.h"
 #include "identification/initial/nuisance_estimation.h"
 #include "identification/least_squares/blocks.h"
@@ -109,33 +110,31 @@ class LinearisedFit {
     const Block& block = blocks_[static_cast<std::size_t>(b)];
     const Constraints& constraints = *system_.constraints;
     const Eigen::Index first = first_rows_[static_cast<std::size_t>(b)];
-    const int columns = block.nuisance() + system_.arm_size() + 1;
-    RowMatrix rows = RowMatrix::Zero(first_rows_[static_cast<std::size_t>(b) + 1] - first, columns);
-    const GroupState none;
-    const GroupState& group = block.group < 0 ? none : unknowns_.groups[static_cast<std::size_t>(block.group)];
+    const BlockColumns columns(block, system_);
+    const BlockPoint point = point_of(block, unknowns_);
+    RowMatrix rows = RowMatrix::Zero(first_rows_[static_cast<std::size_t>(b) + 1] - first, columns.all());
     Eigen::Index count = 0;
-    for (const int f : block.features) {
-      const FeatureConstraint& feature = constraints.features[f];
-      const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns_.shared.data());
-      double* row = rows.row(count).data();
+    const auto add_readings = [&](const FeatureReadings& readings) {
+      const auto& [f, feature, residual] = readings;
       weighted_rows(system_, feature, weights_.features[f], kinematics_by_probe_, residual, 0, feature.size(),
-                    {columns, row + columns - 1, row + block.nuisance(), block.unknowns > 0 ? row : nullptr,
-                     block.parameters.size > 0 ? row + block.unknowns : nullptr, block.parameters.first});
+                    columns.out(rows.row(count).data()));
       for (int k = 0; k < feature.size(); ++k, count += feature.dimension()) {
         by_joints_.middleRows(first + count, feature.dimension()) = by_joints(f, k, residual);
         of_reading_[static_cast<std::size_t>(feature.readings[k])] = {b, first + count, feature.dimension()};
       }
-    }
-    for (const int d : block.distances) {
-      rows(count, columns - 1) = weighted_distance(constraints.distances[d], constraints, weights_.distances[d],
-                                                   group.values.data(), rows.row(count).data());
+    };
+    const auto add_distance = [&](const BindingDistance& distance) {
+      rows(count, columns.residual()) = weighted_distance(
+          distance.distance, constraints, weights_.distances[distance.index], point.values, rows.row(count).data());
       ++count;
-    }
-    for (int i = 0; block.has_certificate && i < block.parameters.size; ++i, ++count) {
-      const int s = block.parameters.first + i;
-      rows(count, block.unknowns + i) = weights_.shared[s];
-      rows(count, columns - 1) = weighted_shared(constraints.shared[s], weights_.shared[s], unknowns_.shared[s]);
-    }
+    };
+    const auto add_certificate = [&](const CertifiedParameter& certified) {
+      const double weight = weights_.shared[certified.index];
+      rows(count, columns.unknowns + certified.column) = weight;
+      rows(count, columns.residual()) = weighted_shared(certified.parameter, weight, point.shared[certified.index]);
+      ++count;
+    };
+    for_each_observation(constraints, block, point, Overloaded{add_readings, add_distance, add_certificate});
     const Eigen::MatrixXd own = orthonormal_basis(rows.leftCols(block.unknowns));
     rows -= own * (own.transpose() * rows).eval();
     common_.block(first, block.parameters.first, rows.rows(), block.parameters.size) =
