@@ -1,3 +1,4 @@
+#include "acquisition/point_cloud/ptx_file.h"
 #include "fuzz/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

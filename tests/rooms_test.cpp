@@ -64,12 +64,6 @@ std::set<std::string> sources_without_header(const fs::path& root) {
 bool is_declared_elsewhere(const std::string& source) {
   static const std::set<std::string> known{
       "app/main.cpp",                                 // nobody calls it
-      "acquisition/point_cloud/mesh/obj_file.cpp",    // cloud_formats.h: one function a format
-      "acquisition/point_cloud/mesh/stl_file.cpp",    // cloud_formats.h
-      "acquisition/point_cloud/pcd/pcd_file.cpp",     // cloud_formats.h
-      "acquisition/point_cloud/ply_file.cpp",         // cloud_formats.h
-      "acquisition/point_cloud/ptx_file.cpp",         // cloud_formats.h
-      "acquisition/point_cloud/xyz_file.cpp",         // cloud_formats.h
       "app/history/calibration_step.cpp",             // arm_history.h: the members of its steps
       "app/history/history_json.cpp",                 // arm_history.h: one value, three forms
       "app/history/parameter_drift.cpp",              // drift_sections.h: the sections of one page

@@ -5,7 +5,6 @@
 
 #include "acquisition/point_cloud/point_cloud.h"
 #include "acquisition/point_cloud/read_cloud.h"
-#include "core/files/file_bytes.h"
 
 namespace artcal {
 
@@ -18,10 +17,9 @@ struct CloudLimits {
   [[nodiscard]] std::size_t allowed(std::size_t file_size) const;
 };
 
-/// read_cloud() and parse_pcd() with other limits than those. Refused beside what they refuse: compressed points that
-/// would take more memory, before they are decompressed.
+/// read_cloud() with other limits than those. Refused beside what it refuses: compressed points that would take more
+/// memory, before they are decompressed.
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns,
                                const CloudLimits& limits);
-Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units, const CloudLimits& limits);
 
 }  // namespace artcal

@@ -1,8 +1,9 @@
+#include "acquisition/point_cloud/ply_file.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/ply_header.h"
 #include "acquisition/point_cloud/text_rows.h"
 #include "core/text/in_quotes.h"

@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/text_rows.h"
 #include "core/text/in_quotes.h"
 

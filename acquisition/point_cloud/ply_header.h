@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "acquisition/point_cloud/binary_columns.h"
@@ -36,6 +37,9 @@ struct PlyHeader {
   std::size_t body = 0;  ///< offset of the first byte after end_header's line
   int lines = 0;         ///< up to and with end_header
 };
+
+/// Whether the bytes begin as a PLY does.
+bool looks_like_ply(std::string_view bytes);
 
 /// Reads the header (PLY 1.0). `path` is for messages.
 Expected<PlyHeader> read_ply_header(std::string_view bytes, const std::string& path);

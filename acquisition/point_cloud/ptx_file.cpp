@@ -1,3 +1,5 @@
+#include "acquisition/point_cloud/ptx_file.h"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -6,7 +8,6 @@
 #include <Eigen/LU>
 
 #include "acquisition/point_cloud/cloud_builder.h"
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/text_rows.h"
 
 namespace artcal {

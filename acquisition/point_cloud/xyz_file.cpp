@@ -1,10 +1,11 @@
+#include "acquisition/point_cloud/xyz_file.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "acquisition/point_cloud/cloud_builder.h"
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/column_shape.h"
 #include "acquisition/point_cloud/text_rows.h"
 #include "core/text/in_quotes.h"

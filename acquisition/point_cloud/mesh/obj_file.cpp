@@ -1,10 +1,11 @@
+#include "acquisition/point_cloud/mesh/obj_file.h"
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 
 #include "acquisition/point_cloud/cloud_builder.h"
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/text_rows.h"
 
 namespace artcal {

@@ -1,3 +1,5 @@
+#include "acquisition/point_cloud/mesh/stl_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -7,7 +9,6 @@
 #include "acquisition/coincidence/coincident_points.h"
 #include "acquisition/point_cloud/binary_columns.h"
 #include "acquisition/point_cloud/cloud_builder.h"
-#include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/text_rows.h"
 
 namespace artcal {

@@ -27,6 +27,9 @@ struct PcdEntries {
   [[nodiscard]] const PcdEntry& at(std::string_view keyword) const { return by_keyword.at(keyword); }
 };
 
+/// Whether the bytes begin as a PCD does.
+bool looks_like_pcd(std::string_view bytes);
+
 /// Refused: a keyword that PCD does not have, or twice; SIZE, TYPE, DATA or the fields' names missing. The
 /// bytes must outlive the entries.
 Expected<PcdEntries> read_pcd_entries(std::string_view bytes, const std::string& path);

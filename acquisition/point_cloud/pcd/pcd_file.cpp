@@ -1,3 +1,5 @@
+#include "acquisition/point_cloud/pcd/pcd_file.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -6,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/point_cloud/cloud_formats.h"
-#include "acquisition/point_cloud/cloud_limits.h"
 #include "acquisition/point_cloud/pcd/lzf.h"
 #include "acquisition/point_cloud/pcd/pcd_header.h"
 #include "acquisition/point_cloud/text_rows.h"
@@ -196,8 +196,6 @@ std::size_t CloudLimits::allowed(std::size_t file_size) const {
   constexpr std::size_t times_the_file = 16;
   return max_memory > 0 ? max_memory : std::max(least, times_the_file * file_size);
 }
-
-Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units) { return parse_pcd(file, units, {}); }
 
 Expected<PointCloud> parse_pcd(const FileBytes& file, const CloudUnits& units, const CloudLimits& limits) {
   const std::string path = file.path.string();

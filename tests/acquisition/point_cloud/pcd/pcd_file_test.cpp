@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/point_cloud/cloud_limits.h"
+#include "acquisition/point_cloud/pcd/pcd_file.h"
 #include "core/units.h"
 #include "tests/support/cloud_file.h"
 
