@@ -6,12 +6,10 @@
 #include "app/commands/command.h"
 #include "app/commands/monte_carlo.h"
 #include "app/output/output.h"
+#include "app/requests/stated_noise.h"
 #include "app/results/identification/identified_arm.h"
 #include "app/results/uncertainty/uncertainty_result.h"
-#include "core/plausible.h"
-#include "core/text/decimal_comma.h"
 #include "core/text/in_quotes.h"
-#include "core/unit_names.h"
 
 namespace artcal {
 namespace {
@@ -24,24 +22,6 @@ struct Request {
   MonteCarloRequest monte_carlo;  ///< holds the noise for both
 };
 
-Expected<double> noise_of(const std::string& text, const char* option,
-                          std::optional<double> (*quantity)(std::string_view), const char* example) {
-  if (text.empty()) {
-    return 0.0;
-  }
-  const auto value = quantity(text);
-  if (!value) {
-    return wrong_usage(fmt::format("{} is {}, expected a number with its unit, such as \"{}\"{}", option,
-                                   in_quotes(text), example, decimal_comma_question(text)));
-  }
-  const bool is_angle = quantity == angle_quantity;
-  if (*value > 0.0 && (is_angle ? !plausible::is_angle_u(*value) : !plausible::is_length_u(*value))) {
-    return wrong_usage(fmt::format("{} is {}, expected 0 or a standard deviation of {}; is the unit right?", option,
-                                   in_quotes(text), is_angle ? plausible::angle_range : plausible::length_range));
-  }
-  return *value;
-}
-
 Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& file) {
   if (!file.identification) {
     return bad_input(
@@ -50,16 +30,18 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
         file.input.path);
   }
   UncertaintySources sources = uncertainty_sources(file.arm, *file.identification);
-  const auto encoder =
-      noise_of(request.monte_carlo.choices.encoder_noise, "--encoder-noise", angle_quantity, "2 arcsec");
-  const auto probing = noise_of(request.monte_carlo.choices.probing_noise, "--probing-noise", length_quantity, "3 um");
+  const std::string& encoder_text = request.monte_carlo.choices.encoder_noise;
+  const std::string& probing_text = request.monte_carlo.choices.probing_noise;
+  const auto encoder = encoder_text.empty() ? Expected<double>(0.0)
+                                            : stated_angle_noise(encoder_text, "--encoder-noise", ZeroNoise::Allowed);
+  const auto probing = probing_text.empty() ? Expected<double>(0.0)
+                                            : stated_length_noise(probing_text, "--probing-noise", ZeroNoise::Allowed);
   for (const auto* noise : {&encoder, &probing}) {
     if (!*noise) {
       return tl::unexpected(noise->error());
     }
   }
-  const bool is_stated =
-      !request.monte_carlo.choices.encoder_noise.empty() || !request.monte_carlo.choices.probing_noise.empty();
+  const bool is_stated = !encoder_text.empty() || !probing_text.empty();
   if (!is_stated && !file.identification->noise && !file.identification->encoder_noise) {
     return wrong_usage(
         "the arm's file does not say how noisy its readings are; state --encoder-noise and "
