@@ -82,7 +82,7 @@ TEST_F(UncertaintyCommand, RefusesWhatItCannotKnow) {
   EXPECT_THAT(nominal.err, HasSubstr("carries no covariance"));
   const Ended unit = run({"uncertainty", "arm.toml", "--encoder-noise", "2 um"});
   EXPECT_EQ(unit.exit_code, 2);
-  EXPECT_THAT(unit.err, HasSubstr("expected a number with its unit"));
+  EXPECT_THAT(unit.err, HasSubstr("expected 0 or a number above zero with its unit"));
   const Ended probe = run({"uncertainty", "arm.toml", "--probe", "star"});
   EXPECT_EQ(probe.exit_code, 2);
   EXPECT_THAT(probe.err, HasSubstr("no probe \"star\""));
