@@ -10,6 +10,7 @@
 #include "app/history/time_labels.h"
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
+#include "app/report/over_time/change_table.h"
 #include "app/report/sections/test_values.h"
 #include "app/results/verification/standard_name.h"
 #include "core/statistics.h"
@@ -141,28 +142,18 @@ std::vector<Drift> sorted(std::vector<Drift> drifts) {
 }
 
 void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& sheet) {
-  html::Table table(fmt::format("Changes from {} to {}, µm, those that are largest against u first",
-                                times.names.labels.front(), times.names.labels.back()),
-                    {{"quantity", false, true},
-                     {"where", false},
-                     {"first"},
-                     {"last"},
-                     {"change", true, false, false, false, true},
-                     {"u"},
-                     {"change / u"},
-                     {"", false, false, false, false, true}});
+  std::vector<ShownChange> shown_changes;
   for (std::size_t i = 0; i < std::min(max_values_listed, drifts.size()); ++i) {
     const Drift& drift = drifts[i];
-    table.add_markup(
-        {html::cell(name_of(drift.quantity)), html::cell(place_of(drift.placement, drift.first, drift.second)),
-         signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
-         two_digits(drift.u / units::micrometre), fmt::format("{:.1f}", severity(drift)),
-         drift.significant              ? "⚠ significant"
-         : drift.degrees_of_freedom > 0 ? ""
-                                        : "not repeated"},
-        drift.significant ? "notable" : "");
+    shown_changes.push_back({html::cell(name_of(drift.quantity)),
+                             html::cell(place_of(drift.placement, drift.first, drift.second)),
+                             signed_micrometres(drift.then), signed_micrometres(drift.now),
+                             signed_micrometres(drift.drift), drift.u / units::micrometre, severity(drift),
+                             drift.significant, drift.degrees_of_freedom > 0 ? "" : "not repeated"});
   }
-  sheet.table(table);
+  sheet.table(change_table(fmt::format("Changes from {} to {}, µm, those that are largest against u first",
+                                       times.names.labels.front(), times.names.labels.back()),
+                           "quantity", "where", shown_changes));
   if (drifts.size() > max_values_listed) {
     sheet.paragraph(
         fmt::format("{} more changed less; artcal history --json has them.", drifts.size() - max_values_listed));

@@ -11,6 +11,8 @@
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
 #include "app/report/thinning.h"
+#include "app/results/result_names.h"
+#include "app/results/verification/recorded_value.h"
 
 namespace artcal {
 namespace {
@@ -150,13 +152,13 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
 Figure scene_of_verification(const Json& verification) {
   std::map<std::string, Points> by_verdict;
   std::map<std::string, Json> names;
-  for (const Json& value : verification.at("values")) {
-    const std::string verdict = value.at("verdict");
-    by_verdict[verdict].add(point_in(value.at("place").at("point_mm")));
+  for (const RecordedValue& value : recorded_values(verification)) {
+    const std::string verdict = result_name(value.verdict);
+    const Eigen::Vector3d& at = value.place.point_in_base;
+    by_verdict[verdict].add({at.x(), at.y(), at.z()});
     Json& of = names.try_emplace(verdict, Json::array()).first->second;
-    of.push_back(
-        shown(fmt::format("{} {}: {} {} µm", value.at("quantity").get<std::string>(), text_in(value, "placement"),
-                          text_in(value, "first"), signed_micrometres(value.at("value_mm").get<double>()))));
+    of.push_back(shown(
+        fmt::format("{} {}: {} {} µm", value.quantity, value.placement, value.first, signed_micrometres(value.value))));
   }
   Json places = Json::array();
   for (const auto& [verdict, points] : by_verdict) {

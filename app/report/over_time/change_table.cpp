@@ -10,31 +10,45 @@
 namespace artcal {
 namespace {
 
-void add(html::Table& table, const ParameterChange& change) {
+ShownChange shown_change(const ParameterChange& change) {
   const ShownUnit as = shown_unit(change.name, change.unit);
   const double difference = change.now - change.then;
-  table.add_markup({html::cell(change.name), as.name, fmt::format("{:.{}f}", change.then / as.size, as.decimals),
-                    fmt::format("{:.{}f}", change.now / as.size, as.decimals),
-                    fmt::format("{:+.{}f}", difference / as.size, as.decimals), numbers::two_digits(change.u / as.size),
-                    fmt::format("{:.1f}", std::abs(difference) / change.u), change.significant ? "⚠ significant" : ""},
-                   change.significant ? "notable" : "");
+  return {html::cell(change.name),
+          as.name,
+          fmt::format("{:.{}f}", change.then / as.size, as.decimals),
+          fmt::format("{:.{}f}", change.now / as.size, as.decimals),
+          fmt::format("{:+.{}f}", difference / as.size, as.decimals),
+          change.u / as.size,
+          std::abs(difference) / change.u,
+          change.significant};
 }
 
 }  // namespace
 
-html::Table change_table(const std::string& caption, const std::vector<ParameterChange>& changes) {
-  html::Table table(caption, {{"parameter", false, true},
-                              {"unit", false},
+html::Table change_table(const std::string& caption, const std::string& what, const std::string& beside,
+                         const std::vector<ShownChange>& changes) {
+  html::Table table(caption, {{what, false, true},
+                              {beside, false},
                               {"first"},
                               {"last"},
                               {"change", true, false, false, false, true},
                               {"u"},
                               {"change / u"},
                               {"", false, false, false, false, true}});
-  for (const ParameterChange& change : changes) {
-    add(table, change);
+  for (const ShownChange& change : changes) {
+    table.add_markup({change.what, change.beside, change.then, change.now, change.change, numbers::two_digits(change.u),
+                      fmt::format("{:.1f}", change.times_u), change.significant ? "⚠ significant" : change.remark},
+                     change.significant ? "notable" : "");
   }
   return table;
+}
+
+html::Table change_table(const std::string& caption, const std::vector<ParameterChange>& changes) {
+  std::vector<ShownChange> shown;
+  for (const ParameterChange& change : changes) {
+    shown.push_back(shown_change(change));
+  }
+  return change_table(caption, "parameter", "unit", shown);
 }
 
 }  // namespace artcal

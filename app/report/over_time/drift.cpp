@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -21,11 +22,12 @@ using namespace numbers;
 
 void write_test_values(const DatedResults& results, const std::string& standard, Sheet& sheet) {
   const ResultTimes times = times_of(results);
-  std::map<std::string, std::vector<const Json*>> worst;
+  std::map<std::string, std::vector<std::optional<RecordedValue>>> worst;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    for (const ValuesOfQuantity& quantity : by_quantity(results[i]->at("values"))) {
+    const std::vector<RecordedValue> all = recorded_values(*results[i]);
+    for (const ValuesOfQuantity& quantity : by_quantity(all)) {
       worst[quantity.quantity].resize(results.size());
-      worst[quantity.quantity][i] = quantity.worst;
+      worst[quantity.quantity][i] = quantity.worst != nullptr ? std::optional(*quantity.worst) : std::nullopt;
     }
   }
   sheet.part(fmt::format("Values by {}", standard_in_words(standard)));
@@ -40,17 +42,16 @@ void write_test_values(const DatedResults& results, const std::string& standard,
   for (const auto& [quantity, values] : worst) {
     Json x = Json::array(), y = Json::array(), bars = Json::array();
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i] == nullptr) {
+      if (!values[i]) {
         continue;
       }
-      const Json& value = *values[i];
+      const RecordedValue& value = *values[i];
       const std::string when = times.labels[i];
-      table.add({shown(quantity), when, value_in_words(value),
-                 value.at("limit_mm").is_null() ? "–" : micrometres(value.at("limit_mm")),
-                 micrometres(value.at("u_mm")), verdict_in_words(value)});
+      table.add({shown(quantity), when, value_in_words(value), value.limit ? micrometres(*value.limit) : "–",
+                 micrometres(value.u), verdict_in_words(value)});
       x.push_back(when);
-      y.push_back(drawn(std::abs(value.at("value_mm").get<double>()) / units::micrometre));
-      bars.push_back(drawn(2.0 * value.at("u_mm").get<double>() / units::micrometre));
+      y.push_back(drawn(std::abs(value.value) / units::micrometre));
+      bars.push_back(drawn(2.0 * value.u / units::micrometre));
     }
     series.push_back({{"name", shown(quantity)}, {"x", x}, {"y", y}, {"bars", bars}});
   }

@@ -6,6 +6,8 @@
 
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
+#include "app/results/verification/recorded_value.h"
+#include "artefacts/verification/decision/specification.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -92,18 +94,15 @@ void write_drifts(const Json& interim, Sheet& sheet) {
                                                                  {"drift", true, false, false, false, true},
                                                                  {"u"},
                                                                  {"", false, false, false, false, true}});
-  for (const Json& drift : interim.at("drifts")) {
-    const std::string second = text_in(drift, "second");
-    const bool significant = drift.at("significant");
-    table.add_markup({html::cell(shown(text_in(drift, "quantity"))), html::cell(shown(text_in(drift, "placement"))),
-                      html::cell(shown(text_in(drift, "first")) + (second.empty() ? "" : " – " + shown(second))),
-                      signed_micrometres(drift.at("then_mm")), signed_micrometres(drift.at("now_mm")),
-                      signed_micrometres(drift.at("drift_mm")),
-                      fmt::format("{:.2f}", number_in(drift.at("u_mm")) / units::micrometre),
-                      significant                                      ? "⚠ significant"
-                      : drift.at("degrees_of_freedom").get<int>() == 0 ? "not evaluated: no repeats"
-                                                                       : ""},
-                     significant ? "notable" : "");
+  for (const Drift& drift : recorded_drifts(interim)) {
+    table.add_markup({html::cell(name_of(drift.quantity)), html::cell(shown(drift.placement)),
+                      html::cell(shown(drift.first) + (drift.second.empty() ? "" : " – " + shown(drift.second))),
+                      signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
+                      fmt::format("{:.2f}", drift.u / units::micrometre),
+                      drift.significant               ? "⚠ significant"
+                      : drift.degrees_of_freedom == 0 ? "not evaluated: no repeats"
+                                                      : ""},
+                     drift.significant ? "notable" : "");
   }
   sheet.part("Interim check");
   sheet.table(table);
@@ -128,11 +127,11 @@ void write_beside_values(const Json& verification, Sheet& sheet) {
 }
 
 void write_interim_verdict(const Json& interim, Sheet& sheet) {
-  const Json& drifts = interim.at("drifts");
+  const std::vector<Drift> drifts = recorded_drifts(interim);
   const auto significant =
-      std::count_if(drifts.begin(), drifts.end(), [](const Json& drift) { return drift.at("significant") == true; });
-  const bool told = std::any_of(drifts.begin(), drifts.end(),
-                                [](const Json& drift) { return drift.at("degrees_of_freedom").get<int>() > 0; });
+      std::count_if(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.significant; });
+  const bool told =
+      std::any_of(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.degrees_of_freedom > 0; });
   sheet.verdict(significant > 0 ? Mood::Bad
                 : told          ? Mood::Good
                                 : Mood::Unsure,

@@ -9,6 +9,7 @@
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
 #include "app/report/thinning.h"
+#include "app/results/result_names.h"
 #include "app/results/verification/standard_name.h"
 
 namespace artcal {
@@ -20,43 +21,30 @@ using namespace numbers;
 constexpr std::size_t max_rows = 330;   // of a quantity: the 300 lengths of a plate of 25 balls are all shown
 constexpr int max_values_drawn = 1500;  // of a quantity
 
-bool is_length(const Json& value) { return !value.at("second").is_null(); }
+std::string limit_in_words(const RecordedValue& value) { return value.limit ? micrometres(*value.limit) : "–"; }
 
-// How near to its limit; where there is none, how large.
-double severity(const Json& value) {
-  const double size = std::abs(value.at("value_mm").get<double>());
-  return value.at("limit_mm").is_null() ? size : size / value.at("limit_mm").get<double>();
+std::string features_of(const RecordedValue& value) {
+  const std::string first = shown(value.first);
+  return value.is_length() ? first + " – " + shown(value.second) : first;
 }
 
-std::string limit_in_words(const Json& value) {
-  return value.at("limit_mm").is_null() ? "–" : micrometres(value.at("limit_mm"));
-}
-
-std::string features_of(const Json& value) {
-  const std::string first = shown(text_in(value, "first"));
-  return is_length(value) ? first + " – " + shown(text_in(value, "second")) : first;
-}
-
-std::string place_in_words(const Json& place) {
-  const double share = place.at("share_of_reach");
-  std::string text = fmt::format("{}", place.at("octant").get<int>());
-  text += share > 0.0 ? fmt::format(", {:.0f} %", 100.0 * share) : "";
-  text += place.at("above_base").get<bool>() ? ", above the base" : "";
-  text += place.at("joint_at_stop").is_null()
-              ? ""
-              : fmt::format(", joint {} at its stop", place.at("joint_at_stop").get<int>());
+std::string place_in_words(const Place& place) {
+  std::string text = fmt::format("{}", place.octant);
+  text += place.share_of_reach > 0.0 ? fmt::format(", {:.0f} %", 100.0 * place.share_of_reach) : "";
+  text += place.above_base ? ", above the base" : "";
+  text += place.joint_at_stop == 0 ? "" : fmt::format(", joint {} at its stop", place.joint_at_stop);
   return text;
 }
 
 std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
 
-std::string u_in_words(const Json& value) { return fmt::format("{:.2f}", 1000.0 * value.at("u_mm").get<double>()); }
+std::string u_in_words(const RecordedValue& value) { return fmt::format("{:.2f}", 1000.0 * value.u); }
 
 // The largest error need not be the worst value: limits grow with the length.
 std::string where_limits_differ(const std::vector<const ValuesOfQuantity*>& lengths) {
   std::string text;
   for (const ValuesOfQuantity* quantity : lengths) {
-    if (quantity->worst != nullptr && !quantity->worst->at("limit_mm").is_null()) {
+    if (quantity->worst != nullptr && quantity->worst->limit) {
       text += fmt::format("; the largest share of its limit, {}, has {} with {} µm", share_in_words(*quantity->worst),
                           shown(quantity->quantity), value_in_words(*quantity->worst));
     }
@@ -65,24 +53,22 @@ std::string where_limits_differ(const std::vector<const ValuesOfQuantity*>& leng
 }
 
 // Results of earlier versions, and diameters, have the value at the reference temperature alone.
-double stated(const Json& value) {
-  const double stated = value.contains("stated_mm") ? number_in(value.at("stated_mm")) : NAN;
-  return std::isfinite(stated) ? stated : number_in(value.at("certified_mm"));
+double stated(const RecordedValue& value) {
+  return std::isfinite(value.stated) ? value.stated : value.certified.value_or(NAN);
 }
-std::string stated_at(const Json& value) {
-  const double temperature = value.contains("stated_at_C") ? number_in(value.at("stated_at_C")) : NAN;
-  return std::isfinite(temperature) ? fmt::format("{:.4g}", temperature) : "–";
+std::string stated_at(const RecordedValue& value) {
+  return std::isfinite(value.stated_at) ? fmt::format("{:.4g}", value.stated_at) : "–";
 }
 
 // All in their order, or the most severe first.
-std::vector<const Json*> rows_of(const ValuesOfQuantity& quantity) {
-  std::vector<const Json*> rows = quantity.values;
+std::vector<const RecordedValue*> rows_of(const ValuesOfQuantity& quantity) {
+  std::vector<const RecordedValue*> rows = quantity.values;
   if (rows.size() <= max_rows) {
     return rows;
   }
-  const auto fails = [](const Json* value) { return value->at("verdict") == "does_not_conform"; };
-  std::stable_sort(rows.begin(), rows.end(), [&](const Json* a, const Json* b) {
-    return std::pair(!fails(a), -severity(*a)) < std::pair(!fails(b), -severity(*b));
+  const auto fails = [](const RecordedValue* value) { return value->verdict == Verdict::NonConformityProven; };
+  std::stable_sort(rows.begin(), rows.end(), [&](const RecordedValue* a, const RecordedValue* b) {
+    return std::pair(!fails(a), -a->severity()) < std::pair(!fails(b), -b->severity());
   });
   rows.resize(std::max(max_rows, static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), fails))));
   return rows;
@@ -97,21 +83,21 @@ struct DrawnLengths {
 DrawnLengths drawn_lengths(const ValuesOfQuantity& quantity, const DrawnUnit& unit, const char* symbol) {
   std::vector<double> lengths, errors;
   std::map<double, double> limits;
-  for (const Json* value : quantity.values) {
-    lengths.push_back(number_in(value->at("certified_mm")));
-    errors.push_back(value->at("value_mm"));
-    if (!value->at("limit_mm").is_null()) {
-      limits[lengths.back()] = value->at("limit_mm");
+  for (const RecordedValue* value : quantity.values) {
+    lengths.push_back(value->certified.value_or(NAN));
+    errors.push_back(value->value);
+    if (value->limit) {
+      limits[lengths.back()] = *value->limit;
     }
   }
   Json x = Json::array(), y = Json::array(), names = Json::array(), verdicts = Json::array();
   const auto kept = thinned(lengths, errors, max_values_drawn);
   for (const int i : kept) {
-    const Json& value = *quantity.values[i];
+    const RecordedValue& value = *quantity.values[i];
     x.push_back(drawn(lengths[i]));
     y.push_back(drawn(unit.per_mm * errors[i]));
-    verdicts.push_back(value.at("verdict"));
-    names.push_back(shown(text_in(value, "placement")) + ": " + features_of(value) + ", " + verdict_in_words(value));
+    verdicts.push_back(result_name(value.verdict));
+    names.push_back(shown(value.placement) + ": " + features_of(value) + ", " + verdict_in_words(value));
   }
   Json band_x = Json::array(), band_y = Json::array();
   for (const auto& [length, limit] : limits) {
@@ -126,41 +112,42 @@ DrawnLengths drawn_lengths(const ValuesOfQuantity& quantity, const DrawnUnit& un
 
 }  // namespace
 
-std::vector<ValuesOfQuantity> by_quantity(const Json& values) {
+std::vector<ValuesOfQuantity> by_quantity(const std::vector<RecordedValue>& values) {
   std::vector<ValuesOfQuantity> quantities;
   std::map<std::string, std::size_t> places;
-  for (const Json& value : values) {
-    const std::string name = value.at("quantity");
-    const auto [place, is_new] = places.try_emplace(name, quantities.size());
+  for (const RecordedValue& value : values) {
+    const auto [place, is_new] = places.try_emplace(value.quantity, quantities.size());
     if (is_new) {
-      quantities.push_back({name, {}, nullptr});
+      quantities.push_back({value.quantity, {}, nullptr});
     }
     ValuesOfQuantity& of_quantity = quantities[place->second];
     of_quantity.values.push_back(&value);
-    const bool counts = !value.at("set_aside").get<bool>();
-    if (counts && (of_quantity.worst == nullptr || severity(value) > severity(*of_quantity.worst))) {
+    if (!value.set_aside && (of_quantity.worst == nullptr || value.severity() > of_quantity.worst->severity())) {
       of_quantity.worst = &value;
     }
   }
   return quantities;
 }
 
-std::string verdict_in_words(const Json& value) {
-  const std::string verdict = value.at("verdict");
-  return value.at("set_aside").get<bool>() ? "set aside"
-         : verdict == "conforms"           ? "✓\u00a0conformity proven"
-         : verdict == "does_not_conform"   ? "✗\u00a0non\u2011conformity proven"
-         : verdict == "nothing_proven"     ? "? neither proven"
-                                           : "not judged";
+std::string verdict_in_words(const RecordedValue& value) {
+  if (value.set_aside) {
+    return "set aside";
+  }
+  switch (value.verdict) {
+    case Verdict::ConformityProven: return "✓\u00a0conformity proven";
+    case Verdict::NonConformityProven: return "✗\u00a0non\u2011conformity proven";
+    case Verdict::NeitherProven: return "? neither proven";
+    case Verdict::NotJudged: break;
+  }
+  return "not judged";
 }
 
-std::string value_in_words(const Json& value) {
-  const double mm = value.at("value_mm");
-  return value.at("certified_mm").is_null() ? micrometres(mm) : signed_micrometres(mm);
+std::string value_in_words(const RecordedValue& value) {
+  return value.certified ? signed_micrometres(value.value) : micrometres(value.value);
 }
 
-std::string share_in_words(const Json& value) {
-  return value.at("limit_mm").is_null() ? "–" : fmt::format("{:.0f} %", 100.0 * severity(value));
+std::string share_in_words(const RecordedValue& value) {
+  return value.limit ? fmt::format("{:.0f} %", 100.0 * value.severity()) : "–";
 }
 
 void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& sheet) {
@@ -176,10 +163,10 @@ void write_worst_values(const std::vector<ValuesOfQuantity>& quantities, Sheet& 
        {"where", false}});
   for (const ValuesOfQuantity& quantity : quantities) {
     if (quantity.worst != nullptr) {
-      const Json& worst = *quantity.worst;
+      const RecordedValue& worst = *quantity.worst;
       table.add({shown(quantity.quantity), fmt::format("{}", quantity.values.size()), value_in_words(worst),
                  limit_in_words(worst), share_in_words(worst), u_in_words(worst), verdict_in_words(worst),
-                 fmt::format("{}: {}", shown(text_in(worst, "placement")), features_of(worst))});
+                 fmt::format("{}: {}", shown(worst.placement), features_of(worst))});
     }
   }
   sheet.table(table);
@@ -190,10 +177,10 @@ void write_errors_over_length(const std::vector<ValuesOfQuantity>& quantities, S
   double largest = 0.0;
   std::vector<const ValuesOfQuantity*> lengths;
   for (const ValuesOfQuantity& quantity : quantities) {
-    if (is_length(*quantity.values.front())) {
+    if (quantity.values.front()->is_length()) {
       lengths.push_back(&quantity);
-      for (const Json* value : quantity.values) {
-        largest = std::max(largest, std::abs(value->at("value_mm").get<double>()));
+      for (const RecordedValue* value : quantity.values) {
+        largest = std::max(largest, std::abs(value->value));
       }
     }
   }
@@ -227,7 +214,7 @@ void write_places_explained(Sheet& sheet) { sheet.paragraph(std::string("Octant 
 
 void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
   const auto rows = rows_of(quantity);
-  const bool lengths = is_length(*quantity.values.front());
+  const bool lengths = quantity.values.front()->is_length();
   html::Table table(fmt::format("{}: {}, µm", shown(quantity.quantity), plural(quantity.values.size(), "value")),
                     {{"placement", false, true},
                      {lengths ? "between" : "feature", false},
@@ -241,23 +228,21 @@ void write_values(const ValuesOfQuantity& quantity, Sheet& sheet) {
                      {"°C", true, false, false, true},
                      {"verdict", false, false, false, false, true},
                      {"octant, reach", false}});
-  for (const Json* row : rows) {
-    const Json& value = *row;
-    const double temperature = number_in(value.at("temperature_C"));
-    const std::string name = shown(text_in(value, "placement"));
-    const auto cells = {html::cell(or_dash(name)),
+  for (const RecordedValue* row : rows) {
+    const RecordedValue& value = *row;
+    const auto cells = {html::cell(or_dash(shown(value.placement))),
                         html::cell(features_of(value)),
-                        html::cell(shown(or_dash(text_in(value, "repeat")))),
+                        html::cell(shown(or_dash(value.repeat))),
                         html::cell(mm(stated(value))),
                         html::cell(stated_at(value)),
-                        html::text(mm(number_in(value.at("certified_mm")))),
+                        html::text(mm(value.certified.value_or(NAN))),
                         html::text(value_in_words(value)),
                         limit_in_words(value),
                         u_in_words(value),
-                        std::isfinite(temperature) ? fmt::format("{:.2f}", temperature) : "–",
+                        std::isfinite(value.temperature) ? fmt::format("{:.2f}", value.temperature) : "–",
                         html::text(verdict_in_words(value)),
-                        html::cell(place_in_words(value.at("place")))};
-    table.add_markup(cells, value.at("verdict") == "does_not_conform" ? "notable" : "");
+                        html::cell(place_in_words(value.place))};
+    table.add_markup(cells, value.verdict == Verdict::NonConformityProven ? "notable" : "");
   }
   sheet.table(table);
   if (rows.size() < quantity.values.size()) {

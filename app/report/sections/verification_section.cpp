@@ -17,9 +17,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-std::size_t count_of(const Json& values, const char* verdict) {
-  return static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [&](const Json& value) {
-    return value.at("verdict") == verdict && !value.at("set_aside").get<bool>();
+std::size_t count_of(const std::vector<RecordedValue>& values, Verdict verdict) {
+  return static_cast<std::size_t>(std::count_if(values.begin(), values.end(), [&](const RecordedValue& value) {
+    return value.verdict == verdict && !value.set_aside;
   }));
 }
 
@@ -37,14 +37,15 @@ void write_rules(const Json& result, Sheet& sheet) {
 
 void write_verification_verdict(const Json& result, Sheet& sheet) {
   const std::string conclusion = result.at("conclusion");
-  const Json& values = result.at("values");
+  const std::vector<RecordedValue> values = recorded_values(result);
   const bool good = conclusion == "conformity_shown";
   const bool bad = conclusion == "non_conformity_shown";
-  std::string text = fmt::format("{}: {}, conformity proven of {}, non-conformity of {}, neither of {}.",
-                                 standard_in_words(text_in(result, "standard")), plural(values.size(), "value"),
-                                 count_of(values, "conforms"), count_of(values, "does_not_conform"),
-                                 count_of(values, "nothing_proven"));
-  if (const auto not_judged = count_of(values, "not_judged"); not_judged > 0) {
+  std::string text =
+      fmt::format("{}: {}, conformity proven of {}, non-conformity of {}, neither of {}.",
+                  standard_in_words(text_in(result, "standard")), plural(values.size(), "value"),
+                  count_of(values, Verdict::ConformityProven), count_of(values, Verdict::NonConformityProven),
+                  count_of(values, Verdict::NeitherProven));
+  if (const auto not_judged = count_of(values, Verdict::NotJudged); not_judged > 0) {
     text += fmt::format(" {} were not judged.", not_judged);
   }
   if (!result.at("missing").empty()) {
@@ -73,7 +74,8 @@ void write_verification(const Json& result, Sheet& sheet) {
     sheet.part("Waived by the specification");
     sheet.list(texts_in(result.at("waived")));
   }
-  const auto quantities = by_quantity(result.at("values"));
+  const std::vector<RecordedValue> values = recorded_values(result);
+  const auto quantities = by_quantity(values);
   sheet.part("Values");
   write_worst_values(quantities, sheet);
   write_errors_over_length(quantities, sheet);

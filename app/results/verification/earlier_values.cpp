@@ -4,6 +4,7 @@
 
 #include "app/output/json_file.h"
 #include "app/results/schema_version.h"
+#include "app/results/verification/recorded_value.h"
 #include "artefacts/verification/decision/specification.h"
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
@@ -13,22 +14,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Throws what the library throws where a field is absent or of another type, and what value() throws of a quantity that
-// no verification has.
-TestValue value_from(const Json& json) {
+// Throws what value() throws of a quantity that no verification has, and where the budget is absent.
+TestValue test_value(const RecordedValue& recorded) {
   TestValue value;
-  value.quantity = quantity_named(json.at("quantity").get<std::string>()).value();
-  value.artefact = json.at("artefact").get<std::string>();
-  value.placement = json.at("placement").get<std::string>();
-  value.first = json.at("first").get<std::string>();
-  value.second = json.at("second").is_null() ? "" : json.at("second").get<std::string>();
-  value.repeat = json.at("repeat").get<std::string>();
-  value.certified = json.at("certified_mm").is_null() ? 0.0 : json.at("certified_mm").get<double>();
-  value.value = json.at("value_mm").get<double>();
-  value.set_aside = json.at("set_aside").get<bool>();
-  const Json& budget = json.at("budget");
-  value.budget = {budget.at("calibration_mm"), budget.at("expansion_mm"), budget.at("temperature_mm"),
-                  budget.at("alignment_mm"),   budget.at("fixture_mm"),   budget.at("form_mm")};
+  value.quantity = quantity_named(recorded.quantity).value();
+  value.artefact = recorded.artefact;
+  value.placement = recorded.placement;
+  value.first = recorded.first;
+  value.second = recorded.second;
+  value.repeat = recorded.repeat;
+  value.certified = recorded.certified.value_or(0.0);
+  value.value = recorded.value;
+  value.set_aside = recorded.set_aside;
+  value.budget = recorded.budget.value();
   return value;
 }
 
@@ -51,8 +49,8 @@ Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, co
       return bad_input("this is no result of artcal verify by " + standard + " that this version reads", path);
     }
     std::vector<TestValue> values;
-    for (const Json& value : json.at("values")) {
-      values.push_back(value_from(value));
+    for (const RecordedValue& recorded : recorded_values(json)) {
+      values.push_back(test_value(recorded));
     }
     return values;
   } catch (const std::exception&) {
