@@ -28,6 +28,14 @@ TEST(StatedNoise, IsRefusedWhereNoMeasurementHasIt) {
   EXPECT_THAT(refusal(stated_angle_noise("90 deg", "--encoder-noise")), HasSubstr("is the unit right?"));
 }
 
+TEST(StatedNoise, MayBeZeroWhereThatIsAllowed) {
+  EXPECT_EQ(*stated_angle_noise("0 arcsec", "--encoder-noise", ZeroNoise::Allowed), 0.0);
+  EXPECT_THAT(refusal(stated_length_noise("3000 m", "--noise", ZeroNoise::Allowed)),
+              HasSubstr("expected 0 or a standard deviation of"));
+  EXPECT_THAT(refusal(stated_length_noise("2", "--noise", ZeroNoise::Allowed)),
+              HasSubstr("expected 0 or a number above zero with its unit"));
+}
+
 TEST(StatedNoise, AsksAboutADecimalComma) {
   EXPECT_THAT(refusal(stated_length_noise("3,5 um", "--noise")), HasSubstr("decimal comma"));
 }
