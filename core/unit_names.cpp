@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/number_range.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -38,7 +37,7 @@ std::optional<double> find(std::span<const Unit> known, std::string_view name) {
 std::optional<double> quantity(std::span<const Unit> known, std::string_view text) {
   double number = 0.0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !is_in_range(number) || number < 0.0) {
+  if (error != std::errc{} || !std::isfinite(number) || number < 0.0) {
     return std::nullopt;
   }
   text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
@@ -46,7 +45,7 @@ std::optional<double> quantity(std::span<const Unit> known, std::string_view tex
     text.remove_prefix(1);
   }
   const auto factor = find(known, text);
-  return factor ? std::optional(number * *factor) : std::nullopt;
+  return factor && std::isfinite(number * *factor) ? std::optional(number * *factor) : std::nullopt;
 }
 
 double unit_at(std::span<const Unit> known, TomlTable& units, std::string_view key, std::string_view choices) {

@@ -16,7 +16,8 @@ Expected<Noise> noise_of(const IdentifyChoices& choices, const Recording& record
   }
   Noise noise;
   const auto put = [](const std::string& text, const char* option, auto read, std::optional<double>& into) {
-    return text.empty() ? Expected<void>() : read(text, option, ZeroNoise::Refused).map([&](double value) { into = value; });
+    return text.empty() ? Expected<void>()
+                        : read(text, option, ZeroNoise::Refused).map([&](double value) { into = value; });
   };
   for (const auto& done : {put(choices.noise, "--noise", stated_length_noise, noise.reading),
                            put(choices.encoder_noise, "--encoder-noise", stated_angle_noise, noise.encoder),

@@ -103,6 +103,10 @@ std::optional<double> number_of(const toml::node& node) {
   return is_in_range(value) ? std::optional(value) : std::nullopt;
 }
 
+std::string_view expected_number(const toml::node& node) {
+  return std::isfinite(node.value<double>().value_or(std::nan(""))) ? "a number of at most 1e100" : "a finite number";
+}
+
 // "artcal-arm/1": what a schema is called, in any program.
 bool is_schema_name(std::string_view text) {
   const auto all_of = [](std::string_view part, auto is) {
@@ -256,8 +260,7 @@ double TomlTable::number(std::string_view key) {
   const auto* node = has(key) ? as_table(table_).get(key) : nullptr;
   const auto value = node == nullptr ? std::nullopt : number_of(*node);
   if (!value) {
-    const bool is_huge = node != nullptr && std::isfinite(node->value<double>().value_or(std::nan("")));
-    expected(key, is_huge ? "a number of at most 1e100" : "a finite number");
+    expected(key, node == nullptr ? "a finite number" : expected_number(*node));
     return 0.0;
   }
   shared_->read.insert(node);
@@ -317,7 +320,7 @@ std::vector<double> TomlTable::numbers(std::string_view key) {
   for (const auto& element : *node->as_array()) {
     const auto value = number_of(element);
     if (!value) {
-      expected(key, "an array of finite numbers and nothing else");
+      expected(key, "an array of finite numbers and nothing else, none beyond 1e100");
       return {};
     }
     values.push_back(*value);
@@ -366,7 +369,7 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key) {
       }
     }
     if (inner.as_array() == nullptr || std::any_of(row.begin(), row.end(), [](double v) { return std::isnan(v); })) {
-      expected(key, "an array of arrays of finite numbers");
+      expected(key, "an array of arrays of finite numbers, none beyond 1e100");
       return {};
     }
   }

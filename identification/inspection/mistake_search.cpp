@@ -154,7 +154,9 @@ void MistakeSearch::try_ranked(const std::vector<Hypothesis>& hypotheses, const 
   }
   std::sort(ranked.begin(), ranked.end());
   for (std::size_t i = 0; i < std::min(ranked.size(), max_fitted); ++i) {
-    accept({hypotheses[ranked[i].second]});
+    Trial trial{hypotheses[ranked[i].second]};
+    trial.is_sure_by_nominal = ranked[i].first < surely_by_nominal * before;
+    accept(std::move(trial));
   }
   note(excluded);
 }

@@ -7,6 +7,7 @@
 #include "identification/initial/faint_turns.h"
 #include "identification/initial/initial_alignment.h"
 #include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/arm_fit.h"
 #include "identification/problem/preparation.h"
 #include "identification/problem/weights.h"
 
@@ -20,13 +21,9 @@ constexpr double surely_as_stated = 2.0;
 constexpr double worth_a_search = 2.0;
 constexpr int quick_iterations = 30;
 
-/// Residuals after a few iterations.
-struct Left {
-  double rms = 0.0;  ///< mm a coordinate
-  bool has_converged = false;
-};
-
-std::optional<Left> quickly_left(const Bound& bound, const Preparation& preparation) {
+// Root mean square of the residuals after a few iterations, whether or not they converged, mm a coordinate.
+std::optional<double> left_by_few_iterations(const Bound& bound, const Preparation& preparation,
+                                             const SolveOptions& few) {
   const System system = make_system(bound.recording, bound.constraints, preparation.start, preparation.free);
   const auto unknowns = estimate_nuisance_parameters(system, preparation.start, bound.recording);
   const int degrees_of_freedom =
@@ -34,8 +31,6 @@ std::optional<Left> quickly_left(const Bound& bound, const Preparation& preparat
   if (!unknowns || degrees_of_freedom < 1) {
     return std::nullopt;
   }
-  SolveOptions few;
-  few.max_iterations = quick_iterations;
   const Weights weights = unit_weights(bound.constraints);
   const Solution solution =
       solve_with_turns(system, bound.recording, weights, Eigen::VectorXd::Zero(system.arm_size()), *unknowns, few);
@@ -43,8 +38,7 @@ std::optional<Left> quickly_left(const Bound& bound, const Preparation& preparat
     return std::nullopt;
   }
   const auto residuals = whitened_residuals(system, weights, system.arm_at(solution.x.data()), solution.unknowns);
-  return Left{std::sqrt(residuals.readings_squared() / degrees_of_freedom),
-              solution.termination == Termination::Converged};
+  return std::sqrt(residuals.readings_squared() / degrees_of_freedom);
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ bool TrialFits::explains(Trial& trial, const std::optional<Arm>& start) const {
   IdentifyOptions options = options_;
   options.start = start;
   options.model.insert(options.model.end(), trial.hypothesis.model.begin(), trial.hypothesis.model.end());
-  if (!may_fit(*bound, options)) {
+  if (!may_fit(trial, *bound, options)) {
     return false;
   }
   const auto estimate = search_solution(bound->recording, bound->constraints, options);
@@ -88,8 +82,8 @@ bool TrialFits::is_enough(const Trial& trial) const {
 }
 
 // One fit from the most promising initial alignment, before the whole search. Directions that the readings hardly
-// determine take hundreds of iterations: what a few leave is judged whether or not they were enough.
-bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) const {
+// determine take hundreds of iterations: of a hypothesis that the nominal arm speaks for, what a few leave counts.
+bool TrialFits::may_fit(const Trial& trial, const Bound& bound, const IdentifyOptions& options) const {
   const auto alignments =
       alignments_for(bound.recording, bound.constraints, arm_for(options.model, bound.recording.arm));
   const auto preparation =
@@ -98,13 +92,17 @@ bool TrialFits::may_fit(const Bound& bound, const IdentifyOptions& options) cons
   if (!preparation) {
     return false;
   }
-  const auto left = quickly_left(bound, *preparation);
-  if (!left) {
+  const double enough = as_written_.is_another_arm ? worth_a_search * comparable_ : comparable_ / worth_a_search;
+  SolveOptions few;
+  few.max_iterations = quick_iterations;
+  if (const auto fit = fit_arm(bound.recording, bound.constraints, preparation->start, preparation->free, {}, few)) {
+    return fit->noise <= enough;
+  }
+  if (!trial.is_sure_by_nominal) {
     return false;
   }
-  const double enough = as_written_.is_another_arm ? worth_a_search * comparable_ : comparable_ / worth_a_search;
-  const double possible = worth_a_search * largest_possible_noise(recording_.arm);
-  return left->rms <= enough && (left->has_converged || left->rms <= possible);
+  const auto left = left_by_few_iterations(bound, *preparation, few);
+  return left && *left <= std::min(enough, worth_a_search * largest_possible_noise(recording_.arm));
 }
 
 bool TrialFits::restores_the_arm(const Trial& trial) const {

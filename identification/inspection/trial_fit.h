@@ -13,7 +13,8 @@ struct Trial {
   Hypothesis hypothesis;
   double size = std::numeric_limits<double>::infinity();
   Arm arm = {};
-  bool is_as_stated = false;  ///< the residuals are of the size of the stated noise
+  bool is_sure_by_nominal = false;  ///< the nominal arm is ten times nearer to the readings as the hypothesis has them
+  bool is_as_stated = false;        ///< the residuals are of the size of the stated noise
 };
 
 /// Fits recordings as hypotheses have them, and compares with the recording as it is written.
@@ -34,7 +35,7 @@ class TrialFits {
   [[nodiscard]] bool is_enough(const Trial& trial) const;
 
  private:
-  [[nodiscard]] bool may_fit(const Bound& bound, const IdentifyOptions& options) const;
+  [[nodiscard]] bool may_fit(const Trial& trial, const Bound& bound, const IdentifyOptions& options) const;
   [[nodiscard]] bool restores_the_arm(const Trial& trial) const;
 
   const Recording& recording_;

@@ -175,10 +175,9 @@ TEST_F(ArtefactFileTest, RefusesLengthsThatAreInAnotherUnit) {
   EXPECT_THAT(refusal("length = \"mm\"", "length = \"m\""), HasSubstr("is it in the wrong unit?"));
   EXPECT_THAT(refusal("value = 500.1", "value = 500100"),
               HasSubstr("a certified distance of 500100 mm; is it in the wrong"));
-  EXPECT_THAT(refusal("at = [3, 4, 0]", "at = [3, 1e308, 1e308]"),
+  EXPECT_THAT(refusal("at = [3, 4, 0]", "at = [3, 1e99, 1e99]"),
               HasSubstr("mm from the origin; is it in the wrong unit?"));
-  EXPECT_THAT(refusal("diameter = 25.4", "diameter = 1e300"),
-              HasSubstr("a ball of 1e+300 mm; is it in the wrong unit?"));
+  EXPECT_THAT(refusal("diameter = 25.4", "diameter = 1e99"), HasSubstr("a ball of 1e+99 mm; is it in the wrong unit?"));
 }
 
 TEST_F(ArtefactFileTest, RefusesWordsItDoesNotKnow) {

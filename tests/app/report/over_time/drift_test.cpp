@@ -38,16 +38,25 @@ Json identification(const std::string& date, const std::string& hash, double val
 
 Json verification(const std::string& date, double largest, bool set_aside = false) {
   Json json{{"kind", "verification"}, {"date", date}, {"standard", "iso10360-12"}};
+  const Json place{{"point_mm", {500.0, 0.0, 0.0}},
+                   {"octant", 1},
+                   {"share_of_reach", 0.5},
+                   {"above_base", true},
+                   {"joint_at_stop", nullptr}};
   for (const double error : {0.001, -largest}) {
     json["values"].push_back({{"quantity", "E_Uni"},
+                              {"artefact", "bar"},
+                              {"placement", "1"},
                               {"first", "A"},
                               {"second", "B"},
+                              {"repeat", "1"},
                               {"certified_mm", 500.0},
                               {"value_mm", error},
                               {"limit_mm", 0.03},
                               {"u_mm", 0.002},
                               {"verdict", largest < 0.03 ? "conforms" : "does_not_conform"},
-                              {"set_aside", set_aside && error < 0.0}});
+                              {"set_aside", set_aside && error < 0.0},
+                              {"place", place}});
   }
   return json;
 }
