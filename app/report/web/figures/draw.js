@@ -72,6 +72,12 @@
     inSpace.filter((place) => !place.querySelector('.on-paper')).forEach(keepForPaper);
   }
 
+  const margin = 200; // px beyond the window
+  const isInView = (place) => {
+    const {top, bottom} = place.getBoundingClientRect();
+    return bottom >= -margin && top <= window.innerHeight + margin;
+  };
+
   const nearby = new IntersectionObserver((entries) => {
     const seen = entries.filter(({isIntersecting}) => isIntersecting).map(({target}) => target);
     seen.forEach((place) => nearby.unobserve(place));
@@ -79,7 +85,7 @@
     if (!isDrawing) {
       drawQueue();
     }
-  }, {rootMargin: '200px 0px'});
+  }, {rootMargin: `${margin}px 0px`});
 
   window.addEventListener('beforeprint', () => {
     [...waiting.keys()].forEach(draw);
@@ -94,12 +100,14 @@
         place.style.height = `${wanted.height}px`;
       }
       waiting.set(place, wanted);
-      nearby.observe(place);
     } catch (error) {
       fail(place, error);
     }
   }
-  if (waiting.size === 0) {
+  // What is in view at once is drawn without waiting for the browser's first frame.
+  queue = [...waiting.keys()].filter(isInView);
+  [...waiting.keys()].filter((place) => !isInView(place)).forEach((place) => nearby.observe(place));
+  if (queue.length > 0 || waiting.size === 0) {
     drawQueue();
   }
 })();
