@@ -41,25 +41,9 @@ def with_errors(arm, rng, mm=0.3, rad=math.radians(0.1)):
     return real
 
 
-def tips(arm, q):
-    """Tips (m, 3) and stylus directions (m, 3) of joint angles q (m, n): standard Denavit-Hartenberg."""
-    m, n = q.shape
-    r = np.tile(np.eye(3), (m, 1, 1))
-    p = np.zeros((m, 3))
-    for i in range(n):
-        c, s = np.cos(q[:, i] + arm["theta"][i]), np.sin(q[:, i] + arm["theta"][i])
-        ca, sa = math.cos(arm["alpha"][i]), math.sin(arm["alpha"][i])
-        step = np.empty((m, 3, 3))
-        step[:, 0] = np.stack([c, -s * ca, s * sa], 1)
-        step[:, 1] = np.stack([s, c * ca, -c * sa], 1)
-        step[:, 2] = np.array([0.0, sa, ca])
-        p = p + np.einsum("mij,mj->mi", r, np.stack([arm["a"][i] * c, arm["a"][i] * s, np.full(m, arm["d"][i])], 1))
-        r = r @ step
-    return p + arm["tip"] * r[:, :, 2], r[:, :, 2]
-
-
 def tips_by_joints(arm, q):
-    """As tips(), and how both change with each joint, (m, 3, n): a joint turns all behind it about its axis."""
+    """Tips (m, 3) and stylus directions (m, 3) of joint angles q (m, n), standard Denavit-Hartenberg, and how both change
+    with each joint, (m, 3, n): a joint turns all behind it about its axis."""
     m, n = q.shape
     r = np.tile(np.eye(3), (m, 1, 1))
     p = np.zeros((m, 3))
@@ -80,6 +64,11 @@ def tips_by_joints(arm, q):
     moved = np.cross(axes, tip[None] - origins).transpose(1, 2, 0)
     turned = np.cross(axes, np.broadcast_to(z, axes.shape)).transpose(1, 2, 0)
     return tip, z, moved, turned
+
+
+def tips(arm, q):
+    """Tips and stylus directions alone."""
+    return tips_by_joints(arm, q)[:2]
 
 
 def postures(arm, target, direction, rng, within):

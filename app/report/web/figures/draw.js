@@ -105,8 +105,13 @@
     }
   }
   // What is in view at once is drawn without waiting for the browser's first frame.
-  queue = [...waiting.keys()].filter(isInView);
-  [...waiting.keys()].filter((place) => !isInView(place)).forEach((place) => nearby.observe(place));
+  for (const place of waiting.keys()) {
+    if (isInView(place)) {
+      queue.push(place);
+    } else {
+      nearby.observe(place);
+    }
+  }
   if (queue.length > 0 || waiting.size === 0) {
     drawQueue();
   }
