@@ -12,7 +12,21 @@ function(artcal_layer name)
                                   FILES ${LAYER_PUBLIC_HEADERS})
   target_link_libraries(${target} PUBLIC ${LAYER_LINKS} PRIVATE ${LAYER_PRIVATE_LINKS})
   artcal_compile_options(${target})
+  artcal_join_folders(${target})
   set_property(GLOBAL APPEND PROPERTY ARTCAL_LAYERS ${target})
+endfunction()
+
+# The sources of a folder are compiled as one where CMAKE_UNITY_BUILD is set: most of the time goes into headers and into
+# Eigen's templates, which are then read once a folder (docs/benchmarks.md). A source must not call what its neighbour
+# declares for itself; tests/names_test.cpp holds that.
+function(artcal_join_folders target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "in_${folder}" group)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()
 
 function(artcal_compile_options target)

@@ -14,4 +14,8 @@ struct Rotation {
 /// centroids (Kabsch 1976, with the sign by Umeyama 1991).
 Rotation rotation_of_moment(const Eigen::Matrix3d& moment);
 
+/// The shortest turning that takes the direction `from` to that of `onto`, neither of them zero. The one place where
+/// Eigen's templates for it are compiled, which takes three seconds.
+Eigen::Matrix3d rotation_onto(const Eigen::Vector3d& from, const Eigen::Vector3d& onto);
+
 }  // namespace artcal

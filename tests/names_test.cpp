@@ -1,5 +1,7 @@
 // What two sources of a layer declare alike in their unnamed namespaces is either a twin, which belongs into one place,
-// or two things of one name, which is hard to read. It also keeps the sanitizers' unity build together.
+// or two things of one name, which is hard to read. The sources of a folder are compiled as one (cmake/layer.cmake), so
+// that a call could take a neighbour's function without a word of the compiler: no source calls what a neighbour
+// declares for itself.
 
 #include <filesystem>
 #include <fstream>
@@ -125,6 +127,82 @@ std::vector<std::string> shared_names(const fs::path& root) {
     }
   }
   return found;
+}
+
+/// The unnamed functions and the text, without comments and quoted text, of a source.
+struct Source {
+  std::set<std::string> functions;
+  std::string text;
+};
+
+std::string without_comments(const std::string& text) {
+  static const std::regex comment_or_quote(R"re(//[^\n]*|"(?:\\.|[^"\\\n])*")re");
+  return std::regex_replace(text, comment_or_quote, "");
+}
+
+Source source_of(const std::string& file_text) {
+  static const std::regex function(R"(function (\w+)\(.*)");
+  Declared declared;
+  add_declared(unnamed_parts(file_text), "", declared);
+  Source source{{}, without_comments(file_text)};
+  std::smatch match;
+  for (const auto& [name, files] : declared) {
+    if (std::regex_match(name, match, function)) {
+      source.functions.insert(match[1]);
+    }
+  }
+  return source;
+}
+
+// Calls through an object or with the name of a class or namespace before it take what they name.
+bool calls(const std::string& text, const std::string& function) {
+  for (std::size_t at = text.find(function + "("); at != std::string::npos; at = text.find(function + "(", at + 1)) {
+    const char before = at == 0 ? '\n' : text[at - 1];
+    const bool is_arrow = at > 1 && text.compare(at - 2, 2, "->") == 0;
+    if (std::isalnum(static_cast<unsigned char>(before)) == 0 &&
+        std::string("_.:~").find(before) == std::string::npos && !is_arrow) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> calls_of_neighbours(const fs::path& root) {
+  std::map<fs::path, std::map<std::string, Source>> folders;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const fs::path file = fs::relative(entry.path(), root);
+    if (entry.path().extension() == ".cpp" && !layer_of(file.generic_string()).empty()) {
+      std::ostringstream text;
+      text << std::ifstream(entry.path()).rdbuf();
+      folders[file.parent_path()][file.filename()] = source_of(text.str());
+    }
+  }
+  std::vector<std::string> found;
+  for (const auto& [folder, sources] : folders) {
+    for (const auto& [file, source] : sources) {
+      for (const std::string& function : source.functions) {
+        for (const auto& [other, neighbour] : sources) {
+          if (other != file && calls(neighbour.text, function)) {
+            found.push_back((folder / file).string() + " declares " + function + "() for itself, " + other +
+                            " calls it");
+          }
+        }
+      }
+    }
+  }
+  return found;
+}
+
+TEST(Names, OfASourceAreNotCalledByItsNeighbours) { EXPECT_THAT(calls_of_neighbours(ARTCAL_SOURCE_DIR), IsEmpty()); }
+
+TEST(Names, TheCheckSeesACallOfANeighbour) {
+  const testing::TemporaryFolder folder;
+  fs::create_directories(folder.path() / "core");
+  (void)folder.write("core/a.cpp", "\nnamespace {\n\nint size(double) {}\n\n}  // namespace\n");
+  (void)folder.write("core/b.cpp", "int f() { return size(3); }  // not size(4)\n");
+  (void)folder.write("core/c.cpp",
+                     "int g() { return a.size(3) + b->size() + std::size(x) + resize(3); }  // size(4)\n");
+  EXPECT_THAT(calls_of_neighbours(folder.path()), ElementsAre("core/a.cpp declares size() for itself, b.cpp calls it"));
 }
 
 TEST(Names, MeanOneThingInALayer) { EXPECT_THAT(shared_names(ARTCAL_SOURCE_DIR), IsEmpty()); }

@@ -18,7 +18,7 @@ namespace {
 
 StoreValue text_or_null(const std::string& text) { return text.empty() ? StoreValue() : StoreValue(text); }
 StoreValue stored_number(double value) { return std::isfinite(value) ? StoreValue(value) : StoreValue(); }
-long long whole(auto value) { return static_cast<long long>(value); }
+long long stored_whole(auto value) { return static_cast<long long>(value); }
 
 std::string name_of_content(std::initializer_list<std::string_view> parts) {
   std::string text;
@@ -76,7 +76,7 @@ StoreValue rms_left_out(const Identification& result) {
 StoreRow value_row(const std::string& key, std::size_t position, const TestValue& value) {
   const Budget& budget = value.budget;
   return {key,
-          whole(position),
+          stored_whole(position),
           std::string(name_of(value.quantity)),
           value.artefact,
           value.placement,
@@ -96,7 +96,7 @@ StoreRow value_row(const std::string& key, std::size_t position, const TestValue
           budget.fixture,
           budget.form,
           std::string(result_name(value.verdict)),
-          whole(value.set_aside),
+          stored_whole(value.set_aside),
           budget.points,
           stored_number(budget.degrees_of_freedom()),
           stated_coverage_factor(budget.degrees_of_freedom())};
@@ -109,9 +109,9 @@ void add_recording(StoreRows& rows, const std::string& key, const std::string& o
   rows[StoreTable::Arms].push_back({recording.arm.name});
   rows[StoreTable::Recordings].push_back({key, std::string(program_version), options, recording.name,
                                           text_or_null(recording.date), recording.arm.name,
-                                          whole(recording.readings.size()), 0LL, StoreValue()});
+                                          stored_whole(recording.readings.size()), 0LL, StoreValue()});
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    rows[StoreTable::Inputs].push_back({key, whole(i), inputs[i].path, inputs[i].sha256});
+    rows[StoreTable::Inputs].push_back({key, stored_whole(i), inputs[i].path, inputs[i].sha256});
   }
   for (const Artefact& artefact : constraints.artefacts) {
     add_artefact(rows, key, artefact);
@@ -120,15 +120,15 @@ void add_recording(StoreRows& rows, const std::string& key, const std::string& o
 
 void add_identification(StoreRows& rows, const std::string& key, const Identification& result) {
   rows[StoreTable::Identifications].push_back(
-      {key, whole(result.coupling.rank), result.noise, whole(result.noise_is_given), result.chi_squared,
-       whole(result.degrees_of_freedom), result.scale_factor, stored_number(result.before.overall.rms),
+      {key, stored_whole(result.coupling.rank), result.noise, stored_whole(result.noise_is_given), result.chi_squared,
+       stored_whole(result.degrees_of_freedom), result.scale_factor, stored_number(result.before.overall.rms),
        stored_number(result.before.overall.maximum), result.after.overall.rms, result.after.overall.maximum,
-       rms_left_out(result), whole(result.outliers.size()), lower_triangle(result.covariance),
+       rms_left_out(result), stored_whole(result.outliers.size()), lower_triangle(result.covariance),
        arm_file_text(result.arm, std::nullopt), combinations_text(result.coupling)});
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     const IdentifiedParameter& parameter = result.parameters[i];
     const bool identified = parameter.state == ParameterState::Identified || parameter.state == ParameterState::Weak;
-    rows[StoreTable::Parameters].push_back({key, whole(i), parameter.parameter.name,
+    rows[StoreTable::Parameters].push_back({key, stored_whole(i), parameter.parameter.name,
                                             std::string(parameter.parameter.unit()),
                                             std::string(result_name(parameter.state)), parameter.nominal,
                                             parameter.identified, identified ? StoreValue(parameter.u) : StoreValue(),
@@ -156,7 +156,7 @@ void add_remarks(StoreRows& rows, const std::string& key, const std::string& kin
       return std::get<std::string>(row[2]) == kind && std::get<std::string>(row[3]) == text;
     });
     if (!known) {
-      remarks.push_back({key, whole(remarks.size()), kind, text});
+      remarks.push_back({key, stored_whole(remarks.size()), kind, text});
     }
   }
 }

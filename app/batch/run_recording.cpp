@@ -149,7 +149,7 @@ void do_verify(RecordingOutcome& outcome, Job& job, Keep keep) {
   }
 }
 
-void finish(RecordingOutcome& outcome, const std::string& key, const std::filesystem::path& folder) {
+void finish_outcome(RecordingOutcome& outcome, const std::string& key, const std::filesystem::path& folder) {
   outcome.error = without_folder(outcome.error, folder);
   const StoreValue error = outcome.error.empty() ? StoreValue() : StoreValue(outcome.error);
   const StoreValue recording = key.empty() ? StoreValue() : StoreValue(key);
@@ -171,7 +171,7 @@ RecordingOutcome refused(const std::string& path, const Error& error) {
   RecordingOutcome outcome;
   outcome.path = path;
   note_error(outcome, error);
-  finish(outcome, "", std::filesystem::path(path).parent_path());
+  finish_outcome(outcome, "", std::filesystem::path(path).parent_path());
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) {
     outcome.entry = {};  // a path that was mistyped is nothing that a store should keep
@@ -185,7 +185,7 @@ RecordingOutcome known(const std::string& path, const std::string& key, const St
   outcome.exit_code = result.exit_code;
   outcome.error = result.error;
   outcome.was_known = true;
-  finish(outcome, key, std::filesystem::path(path).parent_path());
+  finish_outcome(outcome, key, std::filesystem::path(path).parent_path());
   return outcome;
 }
 
@@ -212,7 +212,7 @@ RecordingOutcome run(const std::string& path, const BatchOptions& options, const
   if (const std::string changed = first_changed(folder, job->inputs); !changed.empty()) {
     return refused(path, {ErrorCode::BadInput, std::string(changed_meanwhile), changed});
   }
-  finish(outcome, job->key, folder);
+  finish_outcome(outcome, job->key, folder);
   return outcome;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int max_shards = 1'000'000;
 
-std::optional<int> whole(std::string_view text) {
+std::optional<int> parsed_whole(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
@@ -22,7 +22,7 @@ std::optional<int> whole(std::string_view text) {
 Expected<Shard> of_slurm(const std::function<const char*(const char*)>& variable) {
   const auto number = [&](const char* name) {
     const char* text = variable(name);
-    return text != nullptr ? whole(text) : std::nullopt;
+    return text != nullptr ? parsed_whole(text) : std::nullopt;
   };
   if (variable("SLURM_ARRAY_TASK_ID") == nullptr) {
     return Shard{};
@@ -46,8 +46,8 @@ Expected<Shard> parse_shard(const std::string& text, const std::function<const c
   }
   const std::size_t slash = text.find('/');
   const std::string_view after = slash == std::string::npos ? "" : std::string_view(text).substr(slash + 1);
-  const int index = whole(std::string_view(text).substr(0, slash)).value_or(0);
-  const int count = whole(after).value_or(0);
+  const int index = parsed_whole(std::string_view(text).substr(0, slash)).value_or(0);
+  const int count = parsed_whole(after).value_or(0);
   if (index < 1 || count < index || count > max_shards) {
     return wrong_usage(fmt::format("{} is no shard, expected such as 3/8: the third of eight", in_quotes(text)));
   }

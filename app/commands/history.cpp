@@ -34,7 +34,7 @@ Expected<int> tell_certificate(const Request& request, Store& store) {
   return request.common.tell(json, to_text(request.certificate, *uses));
 }
 
-Expected<int> tell(const Request& request) {
+Expected<int> tell_history(const Request& request) {
   if (request.arm.empty() == request.certificate.empty()) {
     return wrong_usage("whose history? Name an arm, or a certificate with --certificate NUMBER, not both");
   }
@@ -87,7 +87,7 @@ Run set_up_history(CLI::App& parser) {
       "Examples:\n  artcal history \"arm 17\" --store results.sqlite\n"
       "  artcal history --certificate 4711 --store results.sqlite --csv recall.csv");
   return [request] {
-    const auto done = tell(*request);
+    const auto done = tell_history(*request);
     return done ? *done : report_error(done.error());
   };
 }

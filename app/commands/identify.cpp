@@ -52,7 +52,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-Expected<IdentifyOptions> options_of(const Request& request, const Recording& recording) {
+Expected<IdentifyOptions> identify_options_of(const Request& request, const Recording& recording) {
   return request.choices.options(recording).map([&](IdentifyOptions options) {
     options.leave_out = !request.no_leave_out;
     options.threads = request.threads;
@@ -110,7 +110,7 @@ Expected<int> identify_and_tell(const Request& request) {
   if (!constraints) {
     return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
   }
-  auto options = options_of(request, *recording);
+  auto options = identify_options_of(request, *recording);
   if (!options) {
     return tl::unexpected(options.error());
   }

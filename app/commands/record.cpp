@@ -43,8 +43,8 @@ std::string today() {
                      fmt::localtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
 }
 
-nlohmann::ordered_json to_json(const Request& request, const RecordingSession& session, std::size_t rows,
-                               std::size_t before) {
+nlohmann::ordered_json record_json(const Request& request, const RecordingSession& session, std::size_t rows,
+                                   std::size_t before) {
   auto json = result_head("record");
   json["folder"] = request.folder;
   json["readings"] = rows;
@@ -57,7 +57,7 @@ nlohmann::ordered_json to_json(const Request& request, const RecordingSession& s
   return json;
 }
 
-std::string to_text(const Request& request, const RecordingSession& session, std::size_t rows, std::size_t before) {
+std::string record_text(const Request& request, const RecordingSession& session, std::size_t rows, std::size_t before) {
   const std::string folder = request.folder.ends_with('/') ? request.folder : request.folder + "/";
   std::string text = fmt::format("\n{} in {}readings.csv{}\n", plural(rows, "reading"), folder,
                                  before > 0 ? fmt::format(", {} of an earlier run", before) : "");
@@ -124,8 +124,8 @@ Expected<int> record(const Request& request) {
   if (auto done = record_events(request, **source, *session, *table); !done) {
     return tl::unexpected(done.error());
   }
-  const auto told = request.common.tell(to_json(request, *session, table->rows(), before),
-                                        to_text(request, *session, table->rows(), before),
+  const auto told = request.common.tell(record_json(request, *session, table->rows(), before),
+                                        record_text(request, *session, table->rows(), before),
                                         session->mistakes().empty() ? 0 : mistakes_found);
   const std::string recording = (std::filesystem::path(request.folder) / "recording.toml").string();
   if (!told || (request.identified.empty() && request.result.empty())) {

@@ -66,7 +66,7 @@ Expected<PlaceHint> hint_of(const std::string& text, const SegmentResult& result
   return hint;
 }
 
-Expected<SegmentOptions> options_of(const Request& request, const SegmentResult& result) {
+Expected<SegmentOptions> segment_options_of(const Request& request, const SegmentResult& result) {
   SegmentOptions options;
   options.fixed_radius = request.radius == "fixed";
   if (!request.tolerance.empty()) {
@@ -111,7 +111,7 @@ Expected<int> segment_and_tell(const Request& request) {
     return bad_input(wanted.error().message, request.artefact);
   }
   result.wanted = std::move(*wanted);
-  auto options = options_of(request, result);
+  auto options = segment_options_of(request, result);
   if (!options) {
     return tl::unexpected(options.error());
   }

@@ -42,13 +42,13 @@ TimeLabels labels_of(const std::vector<const Calibration*>& calibrations) {
 }
 
 double extent(const ParameterChange& change) { return std::abs(change.now - change.then) + 2.0 * change.u; }
-double severity(const ParameterChange& change) { return std::abs(change.now - change.then) / change.u; }
+double severity_of_change(const ParameterChange& change) { return std::abs(change.now - change.then) / change.u; }
 
 // Changes since the first, of the parameters that changed most against u.
 Figure parameter_figure(const std::vector<const Calibration*>& calibrations, std::vector<ParameterChange> changes,
                         const std::string& unit, double size) {
   std::stable_sort(changes.begin(), changes.end(),
-                   [](const auto& a, const auto& b) { return severity(a) > severity(b); });
+                   [](const auto& a, const auto& b) { return severity_of_change(a) > severity_of_change(b); });
   // A parameter that is told much more poorly would fill the picture with its bars.
   const double shown_size = extent(changes.front());
   std::erase_if(changes, [&](const ParameterChange& change) { return change.u > max_u * shown_size; });

@@ -106,7 +106,7 @@ void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Shee
   sheet.table(table);
 }
 
-double severity(const Drift& drift) { return std::abs(drift.drift) / drift.u; }
+double severity_of_drift(const Drift& drift) { return std::abs(drift.drift) / drift.u; }
 
 bool is_of(const ValueOverTime& value, const Drift& drift) {
   return value.quantity == drift.quantity && value.artefact == drift.artefact && value.placement == drift.placement &&
@@ -137,7 +137,7 @@ void write_most_changed(const std::vector<Drift>& drifts, const std::vector<Valu
 
 std::vector<Drift> sorted(std::vector<Drift> drifts) {
   std::stable_sort(drifts.begin(), drifts.end(),
-                   [](const Drift& a, const Drift& b) { return severity(a) > severity(b); });
+                   [](const Drift& a, const Drift& b) { return severity_of_drift(a) > severity_of_drift(b); });
   return drifts;
 }
 
@@ -148,7 +148,7 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
     shown_changes.push_back({html::cell(name_of(drift.quantity)),
                              html::cell(place_of(drift.placement, drift.first, drift.second)),
                              signed_micrometres(drift.then), signed_micrometres(drift.now),
-                             signed_micrometres(drift.drift), drift.u / units::micrometre, severity(drift),
+                             signed_micrometres(drift.drift), drift.u / units::micrometre, severity_of_drift(drift),
                              drift.significant, drift.degrees_of_freedom > 0 ? "" : "not repeated"});
   }
   sheet.table(change_table(fmt::format("Changes from {} to {}, µm, those that are largest against u first",

@@ -15,13 +15,13 @@ constexpr std::size_t longest_whole_word = 28;  // characters
 constexpr std::size_t max_columns_of_a_narrow_table = 4;
 constexpr std::size_t max_columns_with_much_room = 8;
 
-std::string class_of(const Column& column) {
+std::string column_class(const Column& column) {
   const std::string kind = column.is_number ? "number" : column.is_whole ? "whole" : "";
   return column.is_answer ? kind + (kind.empty() ? "answer" : " answer") : kind;
 }
 
 std::string cell_markup(const Column& column, const std::string& cell) {
-  const std::string kind = class_of(column);
+  const std::string kind = column_class(column);
   const std::string attribute = kind.empty() ? "" : fmt::format(" class=\"{}\"", kind);
   return column.is_heading ? fmt::format("<th scope=\"row\"{}>{}</th>", attribute, cell)
                            : fmt::format("<td{}>{}</td>", attribute, cell);

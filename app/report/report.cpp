@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string arm_of(const ReportedResult& result) { return result.json.at("arm").get<std::string>(); }
+std::string arm_name_of(const ReportedResult& result) { return result.json.at("arm").get<std::string>(); }
 
 std::string heading_of(const ReportedResult& result) {
   const std::string name = numbers::shown(numbers::text_in(result.json, "recording"));
@@ -72,15 +72,15 @@ Expected<std::string> report_html(const std::vector<ReportedResult>& results, Sc
   const ReportedResult* current = nullptr;
   try {
     Sheet sheet;
-    const std::string title = fmt::format("Calibration report: {}", numbers::shown(arm_of(results.front())));
+    const std::string title = fmt::format("Calibration report: {}", numbers::shown(arm_name_of(results.front())));
     sheet.title(title);
     const auto judged = std::count_if(results.begin(), results.end(), has_verdict);
     for (const ReportedResult& result : results) {
       current = &result;
-      if (arm_of(result) != arm_of(results.front())) {
+      if (arm_name_of(result) != arm_name_of(results.front())) {
         return wrong_usage(fmt::format("a report is of one arm, but {} is of {} and {} is of {}",
-                                       in_quotes(results.front().path), in_quotes(arm_of(results.front())),
-                                       in_quotes(result.path), in_quotes(arm_of(result))));
+                                       in_quotes(results.front().path), in_quotes(arm_name_of(results.front())),
+                                       in_quotes(result.path), in_quotes(arm_name_of(result))));
       }
       if (judged > 1 && has_verdict(result)) {
         sheet.part(told_apart(result));

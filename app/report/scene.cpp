@@ -49,7 +49,7 @@ Point point_in(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-Json arm_of(const Json& result) {
+Json arm_in_scene(const Json& result) {
   Points points;
   if (const Json& shape = result.at("arm_shape"); !shape.is_null()) {
     for (const Json& point : shape.at("path_mm")) {
@@ -142,7 +142,7 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
                   plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), magnification,
                   mm(longest), kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
       {{"kind", "scene"},
-       {"arm", arm_of(identification)},
+       {"arm", arm_in_scene(identification)},
        {"artefacts", artefacts_of(identification.at("after").at("features"))},
        {"vectors", vectors.json()},
        {"magnification", magnification}},
@@ -172,7 +172,7 @@ Figure scene_of_verification(const Json& verification) {
           "non-conformity proven; diamonds: neither proven; open circles: not judged.{} Drag to turn.",
           verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
       {{"kind", "places"},
-       {"arm", arm_of(verification)},
+       {"arm", arm_in_scene(verification)},
        {"artefacts", artefacts_of(verification.value("features", Json::array()))},
        {"places", places}},
       true};

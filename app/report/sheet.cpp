@@ -5,7 +5,7 @@
 namespace artcal {
 namespace {
 
-const char* class_of(Mood mood) {
+const char* mood_class(Mood mood) {
   return mood == Mood::Good ? "verdict good" : mood == Mood::Bad ? "verdict bad" : "verdict unsure";
 }
 
@@ -19,7 +19,7 @@ void Sheet::note(std::string_view text) { markup_ += html::element("p", html::te
 
 void Sheet::verdict(Mood mood, std::string_view headline, std::string_view text) {
   markup_ += html::element("div", html::element("strong", html::text(headline)) + html::text(text),
-                           fmt::format("class=\"{}\"", class_of(mood)));
+                           fmt::format("class=\"{}\"", mood_class(mood)));
 }
 
 void Sheet::list(const std::vector<std::string>& texts) {

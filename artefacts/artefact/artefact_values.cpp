@@ -62,7 +62,7 @@ std::string without_decoration(std::string text) {
   return text;
 }
 
-bool read_form(TomlTable& table) {
+bool read_rule_form(TomlTable& table) {
   const std::string stated = table.text("rule");
   const std::string form = without_decoration(stated);
   if (form != "a+bL" && form != "sqrt(a^2+(bL)^2)") {
@@ -89,7 +89,7 @@ UncertaintyRule read_rule(TomlTable table, const ArtefactValues& values) {
   if (constant) {
     rule.a = read_length_or_quantity(table, values, "U");
   } else {
-    rule.in_squares = read_form(table);
+    rule.in_squares = read_rule_form(table);
     rule.a = read_quantity(table, "a", length_quantity, "0.5 um");
     rule.b = read_quantity(table, "b", ratio_quantity, "1.2 um/m");
   }

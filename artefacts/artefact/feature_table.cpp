@@ -115,7 +115,7 @@ void read_diameter(TomlTable& table, const ArtefactValues& values, const Tempera
   }
 }
 
-void read_form(TomlTable& table, const ArtefactValues& values, CertifiedFeature& feature) {
+void read_feature_form(TomlTable& table, const ArtefactValues& values, CertifiedFeature& feature) {
   if (!table.has("form")) {
     if (table.has("U_form")) {
       table.fail("U_form", "this is the uncertainty of a form deviation, but the feature has no `form`");
@@ -150,7 +150,7 @@ CertifiedFeature read_feature(TomlTable& table, const ArtefactValues& values) {
     read_normal(table, feature);
   }
   if (feature.kind == FeatureKind::Sphere || feature.kind == FeatureKind::Plane) {
-    read_form(table, values, feature);
+    read_feature_form(table, values, feature);
   }
   if (table.has("U") && (feature.kind == FeatureKind::Anchor || feature.kind == FeatureKind::Coordinates)) {
     feature.u = read_standard_uncertainty(table, values, "U");

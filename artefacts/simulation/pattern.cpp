@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "core/kabsch.h"
 #include "core/units.h"
 
 namespace artcal {
@@ -33,9 +33,7 @@ std::vector<Eigen::Vector3d> iso_directions() {
   return directions;
 }
 
-Eigen::Matrix3d rotation_to(const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
-}
+Eigen::Matrix3d rotation_to(const Eigen::Vector3d& axis) { return rotation_onto(Eigen::Vector3d::UnitZ(), axis); }
 
 std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, RandomStream& random) {
   std::vector<Eigen::Vector3d> directions;

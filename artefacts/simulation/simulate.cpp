@@ -84,7 +84,7 @@ Rigid drawn_pose(const Scene& scene, RandomStream& random) {
   return pose;
 }
 
-std::string not_held(const Scene& scene) {
+std::string reason_not_held(const Scene& scene) {
   std::vector<StandingFeature> standing;
   const PlannedPlacement& placement = scene.plan.placements[scene.placement];
   const Artefact& certified = scene.plan.artefacts[placement.artefact].certified;
@@ -97,7 +97,7 @@ std::string not_held(const Scene& scene) {
     standing.push_back(
         {certified.features[i].name, scene.base_from_artefact * feature.at, is_ball ? feature.radius : 0.0});
   }
-  return artcal::not_held(scene.plan.stand, standing);
+  return not_held(scene.plan.stand, standing);
 }
 
 Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jobs, int threads) {
@@ -106,7 +106,7 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
   int held = 0;
   for (int draw = 0; draw < max_held_draws && held < max_draws; ++draw) {
     scene.base_from_artefact = drawn_pose(scene, random);
-    if (!not_held(scene).empty()) {
+    if (!reason_not_held(scene).empty()) {
       continue;
     }
     ++held;
@@ -121,7 +121,7 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
   if (held == 0) {
     return bad_input(fmt::format("the placement {}: none of {} places drawn in the arm's reach keeps to the limits of "
                                  "the stand (heights, floor, tables); the last: {}",
-                                 in_quotes(placement.name), max_held_draws, not_held(scene)),
+                                 in_quotes(placement.name), max_held_draws, reason_not_held(scene)),
                      placement.where);
   }
   return bad_input(fmt::format("the placement {}: no place was found in {} draws where the arm reaches all {} points; "
@@ -131,7 +131,7 @@ Expected<std::vector<Taken>> take_drawn(Scene& scene, const std::vector<Job>& jo
 }
 
 Expected<std::vector<Taken>> take_placed(const Scene& scene, const std::vector<Job>& jobs, int threads) {
-  if (const std::string reason = not_held(scene); !reason.empty()) {
+  if (const std::string reason = reason_not_held(scene); !reason.empty()) {
     const PlannedPlacement& stated = scene.plan.placements[scene.placement];
     return bad_input(
         fmt::format("the placement {} is not one that the stand holds: {}; state another position, or other "

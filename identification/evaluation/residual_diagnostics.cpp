@@ -152,7 +152,7 @@ ModelFinding finding_of(const EffectFamily& family, const Share& share, const Se
 }
 
 // Whether a joint that works can have it.
-bool is_plausible(const ModelFinding& finding) {
+bool is_plausible_finding(const ModelFinding& finding) {
   const double size = std::abs(finding.amplitude);
   if (!(finding.rms_rotation <= max_rotation)) {
     return false;
@@ -228,7 +228,7 @@ ModelStudy search_residuals(const System& system, const ArmFit& fit, const Recor
         continue;
       }
       const ModelFinding found = finding_of(*family, share, left.rows);
-      if (!is_plausible(found)) {
+      if (!is_plausible_finding(found)) {
         ++study.implausible;
       } else if (best == nullptr || share.evidence > best->second.evidence) {
         best = &candidate;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
-
+#include "identification/identifiability/svd.h"
 #include "identification/least_squares/elimination.h"
 
 namespace artcal {
@@ -25,10 +24,10 @@ ResidualParts residual_parts(const Linearisation& linearisation, int arm_size) {
   const Eigen::VectorXd residual = triangle.rightCols<1>();
   double of_arm = 0.0;
   if (arm_size > 0 && triangle.rows() > 0) {
-    const Eigen::BDCSVD<Eigen::MatrixXd> decomposition(triangle.leftCols(arm_size), Eigen::ComputeThinU);
-    const Eigen::VectorXd& values = decomposition.singularValues();
-    const Eigen::Index rank = (values.array() > rounding_of_a_step * values[0]).count();
-    of_arm = (decomposition.matrixU().leftCols(rank).transpose() * residual).squaredNorm();
+    // The right singular vectors of the transposed matrix are the directions that the arm's parameters span.
+    const Svd spanned = svd(triangle.leftCols(arm_size).transpose());
+    const Eigen::Index rank = (spanned.values.array() > rounding_of_a_step * spanned.values[0]).count();
+    of_arm = (spanned.right_vectors.leftCols(rank).transpose() * residual).squaredNorm();
   }
   return {std::sqrt(tangential + of_arm), std::sqrt(std::max(0.0, residual.squaredNorm() - of_arm))};
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double decisive = 30.0;
 constexpr int unknowns_of_a_centre = 3;
 
-bool is_ball(const Tips& tips) {
+bool reads_ball(const Tips& tips) {
   return tips.feature->kind == ConstraintKind::OnBall || tips.feature->kind == ConstraintKind::AtDistance;
 }
 
@@ -26,7 +26,7 @@ double usual_variance(const std::vector<Tips>& tips, const Eigen::VectorXd& shar
                       const std::vector<Eigen::Vector3d>& centres) {
   std::vector<double> variances;
   for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (const int spare = tips[i].feature->size() - unknowns_of_a_centre; is_ball(tips[i]) && spare > 0) {
+    if (const int spare = tips[i].feature->size() - unknowns_of_a_centre; reads_ball(tips[i]) && spare > 0) {
       variances.push_back(squares(tips[i], distances_from_centre(tips[i], shared), centres[i]) / spare);
     }
   }
@@ -34,8 +34,8 @@ double usual_variance(const std::vector<Tips>& tips, const Eigen::VectorXd& shar
 }
 
 // By how much the distances of a feature from others miss their certified values, mm.
-double misses(const Constraints& constraints, int feature, const Eigen::Vector3d& centre,
-              const std::vector<Eigen::Vector3d>& centres) {
+double missed_distances(const Constraints& constraints, int feature, const Eigen::Vector3d& centre,
+                        const std::vector<Eigen::Vector3d>& centres) {
   double sum = 0.0;
   for (const DistanceConstraint& distance : constraints.distances) {
     if (distance.first == feature || distance.second == feature) {
@@ -52,7 +52,7 @@ void choose_sides(const Constraints& constraints, const std::vector<Tips>& tips,
                   const std::vector<Eigen::Vector3d>& certified, std::vector<Eigen::Vector3d>& centres) {
   const double slack = decisive * usual_variance(tips, unknowns.shared, centres);
   for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (!is_ball(tips[i])) {
+    if (!reads_ball(tips[i])) {
       continue;
     }
     const Eigen::VectorXd rho = distances_from_centre(tips[i], unknowns.shared);
@@ -61,10 +61,10 @@ void choose_sides(const Constraints& constraints, const std::vector<Tips>& tips,
       continue;
     }
     const int feature = static_cast<int>(i);
-    const bool is_nearer =
-        tips[i].feature->location == Location::Unknown
-            ? misses(constraints, feature, *other, centres) < misses(constraints, feature, centres[i], centres)
-            : (*other - certified[i]).norm() < (centres[i] - certified[i]).norm();
+    const bool is_nearer = tips[i].feature->location == Location::Unknown
+                               ? missed_distances(constraints, feature, *other, centres) <
+                                     missed_distances(constraints, feature, centres[i], centres)
+                               : (*other - certified[i]).norm() < (centres[i] - certified[i]).norm();
     if (is_nearer) {
       centres[i] = *other;
     }

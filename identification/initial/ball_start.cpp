@@ -129,7 +129,7 @@ double median_of(const Eigen::VectorXd& values) {
   return median(all);
 }
 
-Eigen::VectorXd misses(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, const Eigen::Vector3d& centre) {
+Eigen::VectorXd misses_of_points(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, const Eigen::Vector3d& centre) {
   return ((p.colwise() - centre).colwise().norm().transpose() - rho).cwiseAbs();
 }
 
@@ -139,7 +139,7 @@ Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& 
   Eigen::Vector3d centre(median_of(p.row(0)), median_of(p.row(1)), median_of(p.row(2)));
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     const double scale =
-        std::max(1e-6 * rho.mean(), cauchy_width * sigma_per_median() * median_of(misses(p, rho, centre)));
+        std::max(1e-6 * rho.mean(), cauchy_width * sigma_per_median() * median_of(misses_of_points(p, rho, centre)));
     Eigen::Matrix3d normal = 1e-12 * Eigen::Matrix3d::Identity();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < p.cols(); ++i) {
@@ -163,12 +163,12 @@ Eigen::Vector3d robust_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& 
 // another feature's, and a fit with a loss must begin at the sphere of the others.
 Eigen::Vector3d without_strangers(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho,
                                   const Eigen::Vector3d& centre) {
-  const double rms = misses(p, rho, centre).norm() / std::sqrt(static_cast<double>(p.cols()));
+  const double rms = misses_of_points(p, rho, centre).norm() / std::sqrt(static_cast<double>(p.cols()));
   if (p.cols() < min_for_robust || rms < gross_miss * rho.mean()) {
     return centre;
   }
   const Eigen::Vector3d robust = robust_centre(p, rho);
-  return robust.allFinite() && median_of(misses(p, rho, robust)) < strangers_only * rms ? robust : centre;
+  return robust.allFinite() && median_of(misses_of_points(p, rho, robust)) < strangers_only * rms ? robust : centre;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ Matches matches_of(const std::vector<Tips>& features, const Eigen::VectorXd& sha
 }
 
 // The rigid motion with the least squares (Kabsch 1976); nothing for points on a line.
-std::optional<Rigid> align(const Matches& points) {
+std::optional<Rigid> align_matches(const Matches& points) {
   if (points.from.size() < 3) {
     return std::nullopt;
   }
@@ -90,7 +90,7 @@ std::optional<Rigid> align_line(const Matches& points, const PointLine& line) {
   if (!(places.squaredNorm() > 0.0) || !(direction.norm() > 1e-6 * places.squaredNorm())) {
     return std::nullopt;
   }
-  Rigid onto_from{Eigen::Quaterniond::FromTwoVectors(along, direction).toRotationMatrix(), {}};
+  Rigid onto_from{rotation_onto(along, direction), {}};
   onto_from.translation = onto_mean - onto_from.rotation * from_mean;
   return onto_from;
 }
@@ -207,7 +207,7 @@ GroupState turned_about_line(const GroupState& posed, const PointLine& line, dou
 Expected<GroupState> estimate_pose(const std::vector<Tips>& features, const Eigen::VectorXd& shared,
                                    const UnknownGroup& group, const std::string& called) {
   const Matches points = matches_of(features, shared, group.line.has_value());
-  const auto pose = group.line ? align_line(points, *group.line) : align(points);
+  const auto pose = group.line ? align_line(points, *group.line) : align_matches(points);
   if (!pose) {
     return tl::unexpected(
         not_determined(called, group.line ? "readings on at least two of its points are needed, four on each ball"

@@ -27,7 +27,7 @@ struct Run {
   Eigen::Index size = 0;
 };
 
-std::vector<Eigen::Index> positions_of(const std::vector<Run>& runs) {
+std::vector<Eigen::Index> positions_in_runs(const std::vector<Run>& runs) {
   std::vector<Eigen::Index> positions;
   for (const Run& run : runs) {
     for (Eigen::Index i = 0; i < run.size; ++i) {
@@ -234,11 +234,11 @@ class Elimination {
     others.applyOnTheLeft(qr.householderQ().transpose());
     if (eliminated_ != nullptr) {
       EliminatedRows& out = eliminated_->emplace_back();
-      const auto positions = positions_of(own);
+      const auto positions = positions_in_runs(own);
       for (Eigen::Index i = 0; i < size; ++i) {
         out.columns.push_back(positions[qr.colsPermutation().indices()[i]]);
       }
-      out.rest = positions_of(rest);
+      out.rest = positions_in_runs(rest);
       out.own = qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>();
       out.by_rest = others.topLeftCorner(rank, others.cols() - trailing_);
       out.by_trailing = others.topRightCorner(rank, trailing_);

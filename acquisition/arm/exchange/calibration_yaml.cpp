@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 16;  // has less than 1 kB; YAML's readers are slow with much
 
-std::string place(const std::filesystem::path& path, const YAML::Mark& mark) {
+std::string mark_in(const std::filesystem::path& path, const YAML::Mark& mark) {
   return mark.line < 0 ? path.string() : fmt::format("{}:{}:{}", path.string(), mark.line + 1, mark.column + 1);
 }
 
@@ -27,7 +27,7 @@ Expected<double> number_at(const std::filesystem::path& path, const YAML::Node& 
   if (!found || !found.IsScalar() || !YAML::convert<double>::decode(found, number) || !is_in_range(number)) {
     return bad_input(fmt::format("`{}` of {} is {}, expected a number (m, rad)", key, in_quotes(name),
                                  found && found.IsScalar() ? in_quotes(found.Scalar()) : "not there"),
-                     place(path, found ? found.Mark() : frame.Mark()));
+                     mark_in(path, found ? found.Mark() : frame.Mark()));
   }
   return number;
 }
@@ -45,7 +45,7 @@ Expected<JointChain> chain_of(const std::filesystem::path& path, const YAML::Nod
   for (const char* name : {"shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"}) {
     const YAML::Node frame = kinematics[name];
     if (!frame || !frame.IsMap()) {
-      return bad_input(fmt::format("`kinematics` has no frame {}", in_quotes(name)), place(path, kinematics.Mark()));
+      return bad_input(fmt::format("`kinematics` has no frame {}", in_quotes(name)), mark_in(path, kinematics.Mark()));
     }
     std::array<double, 6> numbers{};
     constexpr std::array keys{"x", "y", "z", "roll", "pitch", "yaw"};
@@ -75,7 +75,7 @@ Expected<JointChain> read_calibration_yaml(const std::filesystem::path& path) {
     return chain_of(path, YAML::Load(file->text));
   } catch (const YAML::Exception& error) {
     return bad_input(fmt::format("this is no YAML that can be read ({})", truncated(200, error.msg)),
-                     place(path, error.mark));
+                     mark_in(path, error.mark));
   }
 }
 

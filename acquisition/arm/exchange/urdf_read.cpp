@@ -22,7 +22,7 @@ namespace {
 
 std::string name_of(const pugi::xml_node& node) { return node.attribute("name").as_string(); }
 
-std::string place(const TextFile& file, const pugi::xml_node& node) {
+std::string place_of_node(const TextFile& file, const pugi::xml_node& node) {
   const auto end = file.text.begin() + std::min<std::ptrdiff_t>(node.offset_debug(), std::ssize(file.text));
   return fmt::format("{}:{}", file.path.string(), std::count(file.text.begin(), end, '\n') + 1);
 }
@@ -61,7 +61,7 @@ Expected<double> limit_of(const TextFile& file, const pugi::xml_node& joint, con
   if (!number) {
     return bad_input(fmt::format("the limit `{}` of joint {} is {}, expected a number", key, in_quotes(name_of(joint)),
                                  in_quotes(attribute.as_string())),
-                     place(file, joint));
+                     place_of_node(file, joint));
   }
   return *number * unit;
 }
@@ -70,7 +70,7 @@ Expected<ChainJoint> chain_joint(const TextFile& file, const pugi::xml_node& nod
   ChainJoint joint;
   joint.name = name_of(node);
   const auto refused = [&](std::string why) {
-    return bad_input(fmt::format("joint {} {}", in_quotes(joint.name), why), place(file, node));
+    return bad_input(fmt::format("joint {} {}", in_quotes(joint.name), why), place_of_node(file, node));
   };
   const std::string type = node.attribute("type").as_string();
   const std::set<std::string> known{"revolute", "continuous", "prismatic", "fixed"};
@@ -142,14 +142,14 @@ Expected<Tree> tree_of(const TextFile& file, const pugi::xml_node& robot) {
       if (!tree.links.contains(link)) {
         return bad_input(
             fmt::format("joint {} names the link {}, which is not there", in_quotes(name_of(joint)), in_quotes(link)),
-            place(file, joint));
+            place_of_node(file, joint));
       }
     }
     tree.parents.insert(parent);
     if (!tree.carried_by.emplace(child, joint).second) {
       return bad_input(fmt::format("joint {} is the second to carry the link {}; the links form no tree",
                                    in_quotes(name_of(joint)), in_quotes(child)),
-                       place(file, joint));
+                       place_of_node(file, joint));
     }
   }
   return tree;
@@ -196,7 +196,7 @@ Expected<JointChain> read_urdf(const std::filesystem::path& path, const ChainEnd
   if (const pugi::xml_node macro = unexpanded(robot)) {
     return bad_input(
         fmt::format("{} is to be expanded first: xacro robot.urdf.xacro > robot.urdf", in_quotes(macro.name())),
-        place(*file, macro));
+        place_of_node(*file, macro));
   }
   const auto tree = tree_of(*file, robot);
   if (!tree) {

@@ -13,7 +13,7 @@ Json or_null(const std::optional<double>& value) { return value ? Json(*value) :
 
 Json diameter_of(const std::optional<double>& radius) { return radius ? Json(2.0 * *radius) : Json(nullptr); }
 
-Json options_json(const FitRequest& request) {
+Json fit_options_json(const FitRequest& request) {
   const FitOptions& options = request.options;
   const auto vector_or_null = [](const std::optional<Eigen::Vector3d>& vector) {
     return vector ? Json(std::vector<double>(vector->begin(), vector->end())) : Json(nullptr);
@@ -65,7 +65,7 @@ Json to_json(const FitReport& report) {
   Json json = result_head("fit");
   json["inputs"] = inputs_json(report.inputs);
   json["seed"] = report.request.robust ? Json(0) : Json(nullptr);
-  json["options"] = options_json(report.request);
+  json["options"] = fit_options_json(report.request);
   json["columns"] = report.columns;
   json["counts"] = {{"records", report.records},
                     {"dropped", report.dropped},

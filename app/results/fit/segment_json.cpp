@@ -16,7 +16,7 @@ Json rows_json(const SegmentResult& result, const std::vector<int>& points) {
   return rows;
 }
 
-Json options_json(const SegmentResult& result) {
+Json segment_options_json(const SegmentResult& result) {
   return {{"unit", result.unit},
           {"temperature_C", result.temperature},
           {"radius_is_fixed", result.options.fixed_radius},
@@ -53,7 +53,7 @@ Json plane_json(const SegmentResult& result, std::size_t index, const FoundPlane
           {"rows", rows_json(result, plane.points)}};
 }
 
-const char* name_of(RejectionReason reason) {
+const char* reason_name(RejectionReason reason) {
   switch (reason) {
     case RejectionReason::TooFewPoints: return "too_few_points";
     case RejectionReason::TooLittleSeen: return "too_little_seen";
@@ -69,7 +69,7 @@ Json rejected_json(const RejectedSphere& rejected) {
   return {{"centre_mm", vector_json(rejected.sphere.centre)},
           {"radius_mm", rejected.sphere.radius},
           {"points", rejected.points},
-          {"reason", name_of(rejected.reason)},
+          {"reason", reason_name(rejected.reason)},
           {"text", rejected.why}};
 }
 
@@ -80,7 +80,7 @@ nlohmann::ordered_json to_json(const SegmentResult& result) {
   json["artefact"] = result.artefact.name;
   json["inputs"] = inputs_json(result.inputs);
   json["seed"] = nullptr;
-  json["options"] = options_json(result);
+  json["options"] = segment_options_json(result);
   json["columns"] = result.columns;
   json["points"] = result.points;
   json["spheres"] = Json::array();

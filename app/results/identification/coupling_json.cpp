@@ -18,7 +18,7 @@ Json motion_json(const Coupling& coupling, const ParameterMotion& motion) {
 
 namespace {
 
-const char* name_of(ScaleState state) {
+const char* scale_state_name(ScaleState state) {
   switch (state) {
     case ScaleState::Unidentifiable: return "unidentifiable";
     case ScaleState::Weak: return "weak";
@@ -27,7 +27,7 @@ const char* name_of(ScaleState state) {
   return "determined";
 }
 
-const char* name_of(ReadingKind kind) {
+const char* reading_kind_name(ReadingKind kind) {
   switch (kind) {
     case ReadingKind::BaseCoordinates: return "base";
     case ReadingKind::FrameCoordinates: return "frame";
@@ -53,7 +53,7 @@ Json coupling_json(const Coupling& coupling) {
   json["unknown_count"] = coupling.unknown_count;
   json["angle_scale_mm"] = coupling.angle_scale;
   json["singular_values"] = std::vector<double>(coupling.singular_values.begin(), coupling.singular_values.end());
-  json["scale"] = name_of(coupling.scale);
+  json["scale"] = scale_state_name(coupling.scale);
   json["unidentifiable"] = Json::array();
   for (const ParameterMotion& motion : coupling.unidentifiable) {
     json["unidentifiable"].push_back({{"fixed", coupling.parameters[motion.leading].name},
@@ -78,7 +78,7 @@ Json to_json(const Recording& recording, const Coupling& coupling, const Couplin
   json["made_up"] = nullptr;
   if (made_up) {
     json["made_up"] = {
-        {"kind", name_of(made_up->kind)}, {"readings", made_up->readings}, {"features", made_up->features}};
+        {"kind", reading_kind_name(made_up->kind)}, {"readings", made_up->readings}, {"features", made_up->features}};
   }
   json["coupling"] = coupling_json(coupling);
   json["warnings"] = recording.warnings;

@@ -8,7 +8,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(Effect effect) {
+const char* effect_name(Effect effect) {
   switch (effect) {
     case Effect::OncePerTurn: return "once-per-turn";
     case Effect::TwicePerTurn: return "twice-per-turn";
@@ -24,7 +24,7 @@ const char* name_of(Effect effect) {
 // Joints are counted from 1, as parameters are; what concerns the arm as a whole has none.
 Json joint_json(Effect effect, int joint) { return effect == Effect::Expansion ? Json(nullptr) : Json(joint + 1); }
 
-const char* name_of(ModelTrial::Verdict verdict) {
+const char* verdict_name(ModelTrial::Verdict verdict) {
   switch (verdict) {
     case ModelTrial::Verdict::Taken: return "taken";
     case ModelTrial::Verdict::Worth: return "worth it, but not the best";
@@ -40,7 +40,7 @@ Json trial_json(const ModelTrial& trial) {
   const bool is_compared = is_known && trial.verdict != ModelTrial::Verdict::Start;
   return {{"step", trial.step},
           {"model", model_text(trial.model)},
-          {"verdict", name_of(trial.verdict)},
+          {"verdict", verdict_name(trial.verdict)},
           {"refusal", is_known ? Json(nullptr) : Json(trial.refusal)},
           {"parameters", is_known ? Json(trial.parameters) : Json(nullptr)},
           {"left_out_rms_mm", is_known ? Json(trial.left_out_rms) : Json(nullptr)},
@@ -49,7 +49,7 @@ Json trial_json(const ModelTrial& trial) {
           {"limit", is_compared ? Json(trial.limit) : Json(nullptr)}};
 }
 
-const char* name_of(FixedMember::Reason reason) {
+const char* reason_name(FixedMember::Reason reason) {
   switch (reason) {
     case FixedMember::Reason::Undetermined: return "weakly identifiable";
     case FixedMember::Reason::Implausible: return "implausible";
@@ -64,7 +64,7 @@ Json fixed_member_json(const FixedMember& member) {
       member.reason == FixedMember::Reason::Implausible || member.reason == FixedMember::Reason::BelowZero;
   return {{"name", member.name},
           {"group", name_of(member.group)},
-          {"reason", name_of(member.reason)},
+          {"reason", reason_name(member.reason)},
           {"estimate", estimated ? Json(member.estimate) : Json(nullptr)},
           {"standard_uncertainty", estimated ? Json(member.u) : Json(nullptr)},
           {"text", member.why}};
@@ -80,7 +80,7 @@ Json model_study_json(const ModelStudy& study) {
           {"remaining_variance", study.remaining_variance},
           {"tests", json_list(study.tests,
                               [](const ModelTest& test) -> Json {
-                                return {{"effect", name_of(test.effect)},
+                                return {{"effect", effect_name(test.effect)},
                                         {"joint", joint_json(test.effect, test.joint)},
                                         {"columns", test.columns},
                                         {"chi_squared", test.chi_squared},
@@ -88,7 +88,7 @@ Json model_study_json(const ModelStudy& study) {
                               })},
           {"findings", json_list(study.findings, [](const ModelFinding& finding) -> Json {
              const bool periodic = finding.effect == Effect::OncePerTurn || finding.effect == Effect::TwicePerTurn;
-             return {{"effect", name_of(finding.effect)},
+             return {{"effect", effect_name(finding.effect)},
                      {"joint", joint_json(finding.effect, finding.joint)},
                      {"text", in_words(finding)},
                      {"p", finding.p},

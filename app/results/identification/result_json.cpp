@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name_of(ArtefactParameter::Quantity quantity) {
+const char* quantity_name(ArtefactParameter::Quantity quantity) {
   switch (quantity) {
     case ArtefactParameter::Quantity::ErrorX: return "x";
     case ArtefactParameter::Quantity::ErrorY: return "y";
@@ -48,7 +48,7 @@ Json artefact_value_json(const ArtefactValue& value) {
   const bool certified = value.certified.has_value();
   return {{"artefact", value.artefact},
           {"feature", value.feature},
-          {"quantity", name_of(value.quantity)},
+          {"quantity", quantity_name(value.quantity)},
           {"certified_mm", certified ? Json(*value.certified) : Json(nullptr)},
           {"certified_standard_uncertainty_mm", certified ? Json(value.u_certified) : Json(nullptr)},
           {"found_mm", value.found},
@@ -61,7 +61,7 @@ Json certificate_outlier_json(const CertificateOutlier& outlier) {
           {"placement", is_distance ? Json(outlier.name.placement) : Json(nullptr)},
           {"feature", outlier.name.feature},
           {"second", is_distance ? Json(outlier.second) : Json(nullptr)},
-          {"quantity", is_distance ? "distance" : name_of(*outlier.quantity)},
+          {"quantity", is_distance ? "distance" : quantity_name(*outlier.quantity)},
           {"certified_mm", outlier.certified},
           {"certified_standard_uncertainty_mm", outlier.u},
           {"deviation_mm", outlier.deviation},

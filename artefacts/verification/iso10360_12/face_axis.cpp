@@ -86,13 +86,13 @@ std::vector<Group> faces_of(const Artefact& artefact, const PlaneReadings& plane
   return groups;
 }
 
-struct Side {
+struct SideOfGauge {
   int feature = 0;
   FaceAxis normal;
 };
 
-std::vector<Side> sides_of(const Session& session, const Artefact& artefact, const PlaneReadings& planes) {
-  std::vector<Side> sides;
+std::vector<SideOfGauge> sides_of(const Session& session, const Artefact& artefact, const PlaneReadings& planes) {
+  std::vector<SideOfGauge> sides;
   for (const auto& [feature, repeats] : planes) {
     if (!is_side(artefact, feature)) {
       continue;
@@ -113,13 +113,13 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
-Expected<std::optional<FaceAxis>> axis_by_sides(const Artefact& artefact, const std::vector<Side>& sides) {
+Expected<std::optional<FaceAxis>> axis_by_sides(const Artefact& artefact, const std::vector<SideOfGauge>& sides) {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   double widest = 0.0;
   double u = 0.0;
-  for (const Side& side : sides) {
+  for (const SideOfGauge& side : sides) {
     squares += side.normal.in_base * side.normal.in_base.transpose();
-    for (const Side& other : sides) {
+    for (const SideOfGauge& other : sides) {
       const double angle = angle_between(side.normal.in_base, other.normal.in_base);
       const double certified =
           angle_between(*feature_of(artefact, side.feature).normal, *feature_of(artefact, other.feature).normal);

@@ -20,7 +20,7 @@ constexpr int max_candidates = 4000;  // triples that are tried in full
 
 using Order = std::vector<int>;
 
-Eigen::Matrix3Xd columns(const Eigen::Matrix3Xd& points, const Order& order) {
+Eigen::Matrix3Xd columns_in_order(const Eigen::Matrix3Xd& points, const Order& order) {
   Eigen::Matrix3Xd chosen(3, static_cast<Eigen::Index>(order.size()));
   for (std::size_t i = 0; i < order.size(); ++i) {
     chosen.col(static_cast<Eigen::Index>(i)) = points.col(order[i]);
@@ -90,7 +90,7 @@ double rms_of(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certifie
 std::optional<Candidate> best_order(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& certified) {
   const double near = near_share * smallest_distance(certified);
   const Order triple = wide_triple(measured);
-  const Eigen::Matrix3Xd corner = columns(measured, triple);
+  const Eigen::Matrix3Xd corner = columns_in_order(measured, triple);
   const auto fits = [&](int i, int j, int a, int b) {
     return std::abs((certified.col(i) - certified.col(j)).norm() - (corner.col(a) - corner.col(b)).norm()) < near;
   };
@@ -102,10 +102,10 @@ std::optional<Candidate> best_order(const Eigen::Matrix3Xd& measured, const Eige
       if (i == j || !fits(i, j, 0, 1)) continue;
       for (int k = 0; k < count; ++k) {
         if (k == i || k == j || !fits(i, k, 0, 2) || !fits(j, k, 1, 2) || ++tried > max_candidates) continue;
-        const auto pose = fit_rigid(corner, columns(certified, {i, j, k}));
+        const auto pose = fit_rigid(corner, columns_in_order(certified, {i, j, k}));
         const auto order = pose ? assigned(measured, certified, pose->to_from, 2.0 * near) : std::nullopt;
         if (!order) continue;
-        const double rms = rms_of(measured, columns(certified, *order));
+        const double rms = rms_of(measured, columns_in_order(certified, *order));
         if (!best || rms < best->rms) {
           best = Candidate{*order, rms};
         }
@@ -123,7 +123,7 @@ bool is_flat(const Eigen::Matrix3Xd& points, double near) {
 // Whether an order turns a flat pattern's plane over: the best map of the plane onto itself is a reflection.
 bool turns_over(const Eigen::Matrix3Xd& certified, const Order& order) {
   const Eigen::Matrix3Xd named = certified.leftCols(static_cast<Eigen::Index>(order.size()));
-  const Eigen::Matrix3Xd a = columns(certified, order);
+  const Eigen::Matrix3Xd a = columns_in_order(certified, order);
   const Eigen::Matrix3Xd from = named.colwise() - named.rowwise().mean();
   const Eigen::Matrix3Xd to = a.colwise() - a.rowwise().mean();
   const Eigen::Matrix3d plane = Eigen::JacobiSVD<Eigen::Matrix3Xd>(from, Eigen::ComputeFullU).matrixU();
@@ -138,7 +138,7 @@ Order largest_set(const Eigen::Matrix3Xd& measured, const Eigen::Matrix3Xd& cert
   Order largest;
   for (std::size_t i = 0; i + 2 < among.size(); ++i) {
     const Order triple{among[i], among[i + 1], among[i + 2]};
-    const auto pose = fit_rigid(columns(measured, triple), columns(certified, triple));
+    const auto pose = fit_rigid(columns_in_order(measured, triple), columns_in_order(certified, triple));
     if (!pose) continue;
     Order set;
     for (const int point : among) {
@@ -165,8 +165,8 @@ std::optional<PatternFinding> two_poses(const Eigen::Matrix3Xd& measured, const 
   if (first.size() < 3 || rest.size() < 3) {
     return std::nullopt;
   }
-  const double apart = std::hypot(rms_of(columns(measured, first), columns(certified, first)),
-                                  rms_of(columns(measured, rest), columns(certified, rest)));
+  const double apart = std::hypot(rms_of(columns_in_order(measured, first), columns_in_order(certified, first)),
+                                  rms_of(columns_in_order(measured, rest), columns_in_order(certified, rest)));
   if (!(apart < 0.2 * rms)) {
     return std::nullopt;
   }

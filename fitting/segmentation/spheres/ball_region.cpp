@@ -30,7 +30,8 @@ struct Cell {
 };
 using Cells = std::map<std::size_t, Cell>;
 
-void add(Cells& cells, const segmentation::DirectionCells& grid, const Eigen::Vector3d& from_centre, int point) {
+void add_to_cell(Cells& cells, const segmentation::DirectionCells& grid, const Eigen::Vector3d& from_centre,
+                 int point) {
   Cell& cell = cells[grid.cell_of(from_centre)];
   cell.sum += from_centre.normalized();
   cell.points.push_back(point);
@@ -103,7 +104,8 @@ BallRegion ball_region(const Points& points, const Sphere& sphere) {
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const double distance = off(i);
     if (distance <= foreign_of_radius * sphere.radius) {
-      add(distance <= region.band ? candidates : foreign, grid, points.col(i) - sphere.centre, static_cast<int>(i));
+      add_to_cell(distance <= region.band ? candidates : foreign, grid, points.col(i) - sphere.centre,
+                  static_cast<int>(i));
     }
   }
   const auto count = [](const Cells& cells) {

@@ -57,8 +57,8 @@ void scale_arm(Arm& arm, double factor) {
   }
 }
 
-void add_units(const Recording& recording, const std::vector<Artefact>& artefacts,
-               std::vector<Hypothesis>& hypotheses) {
+void add_length_units(const Recording& recording, const std::vector<Artefact>& artefacts,
+                      std::vector<Hypothesis>& hypotheses) {
   // Readings cannot tell a long arm from a short artefact; no arm is as short or as long as that.
   const double whole = reach(recording.arm);
   const bool is_arm = whole < min_reach || whole > max_reach;
@@ -149,7 +149,7 @@ bool has_balls(const Artefact& artefact) {
 
 std::vector<Hypothesis> length_hypotheses(const Recording& recording, const std::vector<Artefact>& artefacts) {
   std::vector<Hypothesis> hypotheses;
-  add_units(recording, artefacts, hypotheses);
+  add_length_units(recording, artefacts, hypotheses);
   add_positions(recording, artefacts, hypotheses);
   return hypotheses;
 }

@@ -44,7 +44,7 @@ class Collector {
   std::vector<Hypothesis>& hypotheses_;
 };
 
-void add_units(Collector& collector) {
+void add_joint_units(Collector& collector) {
   collector.add(FindingKind::AngleUnit, "with its joint angles taken for radians", "State units.joint = \"rad\"",
                 [](Eigen::Ref<Eigen::VectorXd> q) { q /= units::degree; });
   collector.add(FindingKind::AngleUnit, "with its joint angles taken for degrees", "State units.joint = \"deg\"",
@@ -124,7 +124,7 @@ std::vector<Hypothesis> joint_hypotheses(const Recording& recording) {
   const int tables = static_cast<int>(recording.files.size());
   for (int table = all_tables; table < (tables > 1 ? tables : 0); ++table) {
     Collector collector(recording, table, hypotheses);
-    add_units(collector);
+    add_joint_units(collector);
     add_orders(collector, joints);
     add_signs(collector, joints);
   }
