@@ -6,16 +6,16 @@
 namespace artcal::segmentation {
 namespace {
 
-constexpr Eigen::Index enough = 200;  // points: time goes with them, and more tell no more of the shape
+constexpr Eigen::Index most_points = 200;  // time goes with them, and more tell no more of the shape
 
 Eigen::Matrix3Xd thinned(const Eigen::Matrix3Xd& points) {
-  if (points.cols() <= enough) {
+  if (points.cols() <= most_points) {
     return points;
   }
   // Multiples of the golden ratio: no step of a scanner's raster repeats in them.
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  Eigen::Matrix3Xd few(3, enough);
-  for (Eigen::Index i = 0; i < enough; ++i) {
+  Eigen::Matrix3Xd few(3, most_points);
+  for (Eigen::Index i = 0; i < most_points; ++i) {
     const double part = golden * static_cast<double>(i);
     few.col(i) = points.col(static_cast<Eigen::Index>((part - std::floor(part)) * static_cast<double>(points.cols())));
   }
