@@ -81,7 +81,7 @@ Expected<int> run_and_tell(const Request& request) {
   }
   // What the recordings refer to is known only once they are read.
   for (const auto& [output, kind] :
-       {std::pair(request.common.json, OutputKind::Json), std::pair(request.report, OutputKind::Page)}) {
+       {std::pair(request.common.json, OutputKind::JsonFile), std::pair(request.report, OutputKind::Page)}) {
     if (auto checked = check_replaced(output, kind); !checked) {
       return tl::unexpected(checked.error());
     }

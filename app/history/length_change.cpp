@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-constexpr int lengths = 500;
+constexpr int length_count = 500;
 
 std::vector<double> drawn_posture(const Arm& arm, RandomStream& random) {
   std::vector<double> q;
@@ -44,13 +44,13 @@ std::optional<LengthChange> length_change(const Arm& then, const Arm& now) {
   RandomStream random(1, "change of lengths");
   LengthChange change;
   double squares = 0.0;
-  for (int i = 0; i < lengths; ++i) {
+  for (int i = 0; i < length_count; ++i) {
     const auto from = drawn_posture(then, random), to = drawn_posture(then, random);
     const double difference = (tip(after, to) - tip(after, from)).norm() - (tip(before, to) - tip(before, from)).norm();
     squares += difference * difference;
     change.maximum = std::max(change.maximum, std::abs(difference));
   }
-  change.rms = std::sqrt(squares / lengths);
+  change.rms = std::sqrt(squares / length_count);
   return change;
 }
 

@@ -19,7 +19,7 @@ Expected<void> write_file(const std::string& path, const std::string& text);
 Expected<void> check_outputs(const std::vector<std::string>& outputs, const std::vector<InputFile>& inputs);
 
 /// What a file of results begins with.
-enum class OutputKind { Json, Page };
+enum class OutputKind { JsonFile, Page };
 
 /// Refuses an output that would replace a file of another kind: for a command that cannot know all files that its
 /// inputs refer to before it writes. No input is JSON or a page. A file that is empty or not there, "-" and devices

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t told = 5;
+constexpr std::size_t most_told = 5;
 
 struct Pair {
   std::size_t first = 0, second = 0;
@@ -34,7 +34,7 @@ std::string closest_in_words(std::vector<Pair> pairs, const std::vector<std::str
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
   std::string text;
-  for (std::size_t i = 0; i < std::min(told, pairs.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(most_told, pairs.size()); ++i) {
     text += fmt::format("{}{} with {} {:+.2f}", i == 0 ? "" : ", ", names[pairs[i].first], names[pairs[i].second],
                         pairs[i].correlation);
   }

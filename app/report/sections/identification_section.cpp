@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 using namespace numbers;
 
 /// All placements that were left out, put together.
-struct LeftOut {
+struct LeftOutDeviations {
   std::size_t readings = 0;
   double rms = 0.0, maximum = 0.0;
   std::size_t lengths = 0;
@@ -39,8 +39,8 @@ double worst_error(const Json& lengths) {
   return worst;
 }
 
-LeftOut left_out_of(const Json& result) {
-  LeftOut all;
+LeftOutDeviations left_out_of(const Json& result) {
+  LeftOutDeviations all;
   double squares = 0.0;
   for (const Json& left : result.at("left_out")) {
     const auto readings = left.at("readings").get<std::size_t>();
@@ -66,7 +66,7 @@ std::size_t identified_count(const Json& result) {
 void write_before_and_after(const Json& result, Sheet& sheet) {
   const Json& before = result.at("before");
   const Json& after = result.at("after");
-  const LeftOut left = left_out_of(result);
+  const LeftOutDeviations left = left_out_of(result);
   const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
   html::Table table("Deviation of the readings, mm",
                     {{"", false, true}, {"before"}, {"after"}, {"cross-validation", true, false, false, true}});
@@ -212,7 +212,7 @@ void write_outliers(const Json& outliers, Sheet& sheet) {
 void write_identification_verdict(const Json& result, Sheet& sheet) {
   const std::size_t warnings = result.at("warnings").size();
   const std::size_t outliers = result.at("outliers").size();
-  const LeftOut left = left_out_of(result);
+  const LeftOutDeviations left = left_out_of(result);
   std::string text = fmt::format(
       "{} of {} parameters. Readings deviate by {} mm rms, {} mm at most; by the nominal arm {} mm and {} mm.",
       identified_count(result), result.at("parameters").size(), mm(result.at("after").at("overall").at("rms_mm")),
