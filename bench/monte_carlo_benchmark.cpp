@@ -9,6 +9,7 @@
 #include <ceres/ceres.h>
 
 #include "acquisition/recording/recording_file.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "identification/identify.h"
 #include "identification/monte_carlo/monte_carlo.h"
 #include "identification/monte_carlo/reidentification.h"
@@ -33,8 +34,10 @@ struct Task {
 
 Task make_task() {
   Task t;
-  t.recording = *read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml");
-  t.constraints = *read_constraints(t.recording);
+  auto bound =
+      bind_recording(*read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml"));
+  t.recording = std::move(bound->recording);
+  t.constraints = std::move(bound->constraints);
   t.options.leave_out = false;
   t.identification = *identify(t.recording, t.constraints, t.options);
   for (const int i : t.identification.free) {
@@ -172,7 +175,7 @@ double solve_with_ceres(const System& drawn, const std::vector<int>& fixed, std:
   const Constraints& constraints = *drawn.constraints;
   std::vector<Eigen::Vector3d> points;
   for (const FeatureConstraint& feature : constraints.features) {
-    points.emplace_back(t.fit.unknowns.groups[feature.group].values.segment<3>(feature.offset));
+    points.emplace_back(t.fit.unknowns.groups[*feature.group].values.segment<3>(feature.offset));
   }
   ceres::Problem problem;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {

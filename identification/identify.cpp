@@ -10,6 +10,7 @@
 #include "identification/estimation.h"
 #include "identification/evaluation/diagnostics.h"
 #include "identification/evaluation/judgement.h"
+#include "identification/models/automatic_model.h"
 #include "identification/uncertainty/estimate_uncertainty.h"
 #include "identification/uncertainty/unmodelled_errors.h"
 
@@ -84,6 +85,9 @@ double IdentifiedParameter::coverage_factor() const { return stated_coverage_fac
 
 Expected<Identification> identify(const Recording& recording, const Constraints& constraints,
                                   const IdentifyOptions& options) {
+  if (options.automatic) {
+    return identify_automatically(recording, constraints, options);
+  }
   if (auto there = require_joints(recording); !there) {
     return tl::unexpected(there.error());
   }

@@ -25,7 +25,7 @@ struct IdentifyOptions {
   std::vector<std::string> hold;  ///< parameters to keep at their nominal value
   std::vector<std::string> free;  ///< parameters to identify although they are fixed by default (a6, d6, …)
   Model model;                    ///< what is identified beside the chain and the tips
-  bool automatic = false;         ///< groups are to be added: what identify_automatically() is asked for
+  bool automatic = false;         ///< groups are to be added: identify_automatically()
   Loss loss = Loss::None;
   Noise noise;                 ///< given, or else estimated from the residuals
   bool accept_misfit = false;  ///< return a fit that is no solution too, with its misfits
@@ -123,6 +123,7 @@ struct LeftOut {
   double squares = 0.0;                        ///< of the deviations of its readings, mm²
   int degrees_of_freedom = 0;                  ///< of these, a coordinate each, its own unknowns taken off
   std::string refusal;                         ///< why it could not be left out; empty if it could
+  ErrorKind refusal_kind = ErrorKind::Other;   ///< of that error
 };
 
 /// Whether placements left out are where the arms identified without them say, within their uncertainty.

@@ -77,7 +77,7 @@ bool is_declared_elsewhere(const std::string& source) {
       "app/shell/completion_bash.cpp",                // completion.h: one function a shell
       "app/shell/completion_fish.cpp",                // completion.h
       "app/shell/completion_zsh.cpp",                 // completion.h
-      "artefacts/constraints/build_constraints.cpp",  // constraint.h: the functions that make and read them
+      "artefacts/constraints/build_constraints.cpp",  // constraint.h: the function that makes them
       "fitting/least_squares/axial.cpp",              // estimate.h: one function a feature, all of one kind
       "fitting/least_squares/circle.cpp",             // estimate.h: one function a feature, all of one kind
       "fitting/least_squares/plane_line.cpp",         // estimate.h: one function a feature, all of one kind

@@ -44,9 +44,10 @@ struct Recording {
   Noise noise;
   IdentifyRequest identify;
   VerifyRequest verify;
-  std::vector<std::string> files;     ///< readings files, as Reading::file counts them
-  std::vector<InputFile> inputs;      ///< every file read so far, in order
-  std::vector<std::string> warnings;  ///< things that look wrong but may be right
+  std::vector<std::string> files;                  ///< readings files, as Reading::file counts them
+  std::vector<InputFile> inputs;                   ///< every file read so far, in order
+  std::vector<std::string> warnings;               ///< things that look wrong but may be right
+  std::optional<std::string> repeated_readings{};  ///< the one of them about readings that repeat another, if any
 
   /// "readings.csv:12", for messages about a reading.
   [[nodiscard]] std::string where(int reading) const;

@@ -1,10 +1,8 @@
 #include "app/arm/reported_request.h"
 
 #include "acquisition/arm/arm_file.h"
-#include "acquisition/recording/recording_file.h"
 #include "app/arm/reported_text.h"
 #include "app/output/output.h"
-#include "app/requests/referenced_files.h"
 #include "app/results/identification/identified_arm.h"
 #include "identification/reported_coordinates/reported_model.h"
 
@@ -22,19 +20,18 @@ std::string text_of_arm(const ReportedModel& model, const IdentifyOptions& optio
 }  // namespace
 
 Expected<int> ReportedRequest::run() const {
-  const FileAccess files = access.of(input);
-  const auto recording = read_recording(input, files);
-  if (!recording) {
-    return tl::unexpected(recording.error());
+  const auto read = recording.read();
+  if (!read) {
+    return tl::unexpected(read.error());
   }
-  const auto identify_options = choices.options(*recording);
+  const auto identify_options = choices.options(*read);
   if (!identify_options) {
     return tl::unexpected(identify_options.error());
   }
-  if (auto checked = check_outputs({output, common.json}, referenced_files(*recording, files)); !checked) {
+  if (auto checked = recording.check_outputs({output, common.json}, *read); !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto model = identify_reported_model(*recording, {frame == "base", *identify_options});
+  const auto model = identify_reported_model(*read, {frame == "base", *identify_options});
   if (!model) {
     return tl::unexpected(model.error());
   }
@@ -54,7 +51,7 @@ Expected<int> ReportedRequest::run() const {
 CLI::App* ReportedRequest::add_to(CLI::App& parser) {
   CLI::App* command = parser.add_subcommand(
       "from-coordinates", "the maker's own model, from joint angles and the coordinates that his software reported");
-  command->add_option("recording", input, "recording.toml: readings with q1 … qn and x, y, z")
+  command->add_option("recording", recording.path, "recording.toml: readings with q1 … qn and x, y, z")
       ->required()
       ->type_name("RECORDING");
   command->add_option("-o,--output", output, "arm.toml to write")->type_name("ARM");
@@ -62,7 +59,7 @@ CLI::App* ReportedRequest::add_to(CLI::App& parser) {
       ->check(CLI::IsMember({"base", "unknown"}));
   rounding.add_to(*command);
   choices.add_to(*command, "Options");
-  access.add_to(*command);
+  recording.options.add_to(*command);
   common.add_to(*command);
   command->footer("Example:\n  artcal arm from-coordinates recording.toml -o arm.toml");
   return command;

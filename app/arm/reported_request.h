@@ -4,16 +4,16 @@
 
 #include "app/arm/rounding_options.h"
 #include "app/commands/command.h"
-#include "app/requests/access_option.h"
 #include "app/requests/identify_request.h"
+#include "app/requests/recording_request.h"
 
 namespace artcal {
 
 /// `artcal arm from-coordinates`: the maker's own model, from what his software reported.
 struct ReportedRequest {
-  std::string input, output, frame = "base";
+  RecordingRequest recording;
+  std::string output, frame = "base";
   RoundingOptions rounding;
-  RecordingOptions access;
   IdentifyChoices choices;
   CommonOptions common;
 

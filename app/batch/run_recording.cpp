@@ -9,15 +9,15 @@
 #include "app/batch/recording_key.h"
 #include "app/batch/result_rows.h"
 #include "app/output/phrases.h"
+#include "app/requests/identify_request.h"
 #include "app/requests/model_asked.h"
-#include "app/results/identification/identification_run.h"
 #include "app/results/identification/readings_json.h"
 #include "app/results/identification/result_json.h"
 #include "app/results/inspection/inspected_run.h"
 #include "app/results/inspection/inspection_json.h"
 #include "app/results/verification/verification_json.h"
 #include "app/results/verification/verification_run.h"
-#include "artefacts/constraints/read_constraints.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "core/files/size_limits.h"
 #include "core/text/in_quotes.h"
 
@@ -71,15 +71,16 @@ Expected<Job> read_job(const std::filesystem::path& path, const BatchOptions& op
     return tl::unexpected(recording.error());
   }
   Job job{*recording, {}, {}, {}, {}};
-  if (job.recording.identify.asked) {
-    auto constraints = read_constraints(job.recording, options.access_of(path),
-                                        {ScanUse::SureOfBall, nullptr, options.limits.max_memory});
-    if (!constraints) {
-      return tl::unexpected(with_warnings(constraints.error(), job.recording.warnings));
+  if (recording->identify.asked) {
+    auto bound =
+        bind_recording(*recording, options.access_of(path), {ScanUse::SureOfBall, nullptr, options.limits.max_memory});
+    if (!bound) {
+      return tl::unexpected(bound.error());
     }
-    job.constraints = std::move(*constraints);
+    job.recording = std::move(bound->recording);
+    job.constraints = std::move(bound->constraints);
   }
-  if (!job.recording.verify.standard.empty()) {
+  if (!recording->verify.standard.empty()) {
     // A verification makes other readings of scans than an identification.
     auto material =
         read_verification_material(std::move(*recording), {"", "", options.access_of(path), options.limits});
@@ -112,7 +113,8 @@ void do_identify(RecordingOutcome& outcome, const Job& job, const BatchOptions& 
   }
   asked.model = model->groups;
   asked.automatic = model->automatic;
-  const auto inspected = run_inspected(job.recording, job.constraints, asked);
+  const auto inspected =
+      inspect_result(identify(job.recording, job.constraints, asked), job.recording, job.constraints, asked);
   const auto& result = inspected.result;
   if (!result) {
     note_error(outcome, result.error());

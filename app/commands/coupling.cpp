@@ -5,19 +5,15 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm/arm_file.h"
-#include "acquisition/recording/recording_file.h"
 #include "acquisition/recording/tip_centres.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
-#include "app/requests/access_option.h"
 #include "app/requests/model_asked.h"
 #include "app/requests/named_values.h"
-#include "app/requests/referenced_files.h"
+#include "app/requests/recording_request.h"
 #include "app/results/identification/coupling_json.h"
 #include "app/results/identification/coupling_text.h"
 #include "app/results/identification/result_json.h"
-#include "artefacts/constraints/read_constraints.h"
 #include "artefacts/virtual_probing/virtual_probing.h"
 #include "core/files/size_limits.h"
 #include "core/toml/toml_document.h"
@@ -30,8 +26,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  RecordingOptions access;
-  std::string path;
+  RecordingRequest input;  ///< or an arm
   std::vector<std::string> hold, free;
   std::string model;
   double angle_scale = 0.0;
@@ -39,14 +34,8 @@ struct Request {
   bool kind_is_given = false;
 };
 
-/// Readings, real or made up.
-struct Subject {
-  Recording recording;
-  Constraints constraints;
-};
-
-Expected<Subject> made_up(const Request& request) {
-  auto file = read_arm_file(request.path);
+Expected<BoundRecording> made_up(const Request& request) {
+  auto file = read_arm_file(request.input.path);
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -65,27 +54,27 @@ Expected<Subject> made_up(const Request& request) {
   if (!constraints) {
     return tl::unexpected(constraints.error());
   }
-  return Subject{std::move(made.recording), std::move(*constraints)};
+  return BoundRecording{std::move(made.recording), std::move(*constraints)};
 }
 
-Expected<Subject> recorded(const Request& request) {
-  auto recording = read_recording(request.path, request.access.of(request.path));
+Expected<BoundRecording> recorded(const RecordingRequest& request) {
+  auto recording = request.read();
   if (!recording) {
     return tl::unexpected(recording.error());
   }
   if (auto there = require_joints(*recording); !there) {
     return tl::unexpected(there.error());
   }
-  auto constraints = read_constraints(*recording, request.access.of(request.path), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
-  }
-  recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
-  return Subject{std::move(*recording), std::move(*constraints)};
+  return request.bind(std::move(*recording)).map([](BoundRecording&& bound) {
+    auto& warnings = bound.recording.warnings;
+    warnings.insert(warnings.end(), bound.constraints.warnings.begin(), bound.constraints.warnings.end());
+    return std::move(bound);
+  });
 }
 
-Expected<Subject> subject_of(const Request& request) {
-  const auto file = read_text_file(request.path, largest::toml);
+// Readings, real or made up.
+Expected<BoundRecording> subject_of(const Request& request) {
+  const auto file = read_text_file(request.input.path, largest::toml);
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -101,7 +90,7 @@ Expected<Subject> subject_of(const Request& request) {
     }
     return wrong_usage("--kind is for an arm alone; this file is a recording, whose readings say what they are");
   }
-  return is_arm ? made_up(request) : recorded(request);
+  return is_arm ? made_up(request) : recorded(request.input);
 }
 
 Expected<Model> model_of(const Request& request, const Recording& recording) {
@@ -125,9 +114,8 @@ Expected<int> analyse_and_tell(const Request& request) {
   if (!subject) {
     return tl::unexpected(subject.error());
   }
-  const Recording& recording = subject->recording;
-  if (auto checked = check_outputs({request.common.json}, referenced_files(recording, request.access.of(request.path)));
-      !checked) {
+  const auto& [recording, constraints] = *subject;
+  if (auto checked = request.input.check_outputs({request.common.json}, recording); !checked) {
     return tl::unexpected(checked.error());
   }
   std::vector<std::string> hold = recording.identify.hold;
@@ -143,14 +131,14 @@ Expected<int> analyse_and_tell(const Request& request) {
   if (!selection) {
     return tl::unexpected(selection.error());
   }
-  const auto arm = arm_with_fitted_tips(recording, subject->constraints, nominal, hold);
+  const auto arm = arm_with_fitted_tips(recording, constraints, nominal, hold);
   if (!arm) {
     return tl::unexpected(arm.error());
   }
   CouplingOptions options = coupling_options(*selection);
   options.angle_scale = request.angle_scale;
   options.noise = recording.noise;
-  const auto coupling = analyse_coupling(recording, subject->constraints, *arm, options);
+  const auto coupling = analyse_coupling(recording, constraints, *arm, options);
   if (!coupling) {
     return tl::unexpected(with_warnings(coupling.error(), recording.warnings));
   }
@@ -163,7 +151,7 @@ Expected<int> analyse_and_tell(const Request& request) {
 
 Run set_up_coupling(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("input", request->path, "recording.toml, or arm.toml with --kind")
+  parser.add_option("input", request->input.path, "recording.toml, or arm.toml with --kind")
       ->required()
       ->type_name("RECORDING|ARM");
   const std::map<std::string, ReadingKind> kinds{
@@ -199,7 +187,7 @@ Run set_up_coupling(CLI::App& parser) {
   parser
       .add_option("--angle-scale", request->angle_scale, "mm that make an angle a length; the arm's reach if not given")
       ->check(CLI::PositiveNumber);
-  request->access.add_to(parser);
+  request->input.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "Examples:\n  artcal coupling examples/two-socket-bar/recording.toml\n"

@@ -6,17 +6,13 @@
 
 #include "acquisition/arm/arm_file.h"
 #include "acquisition/recording/reading_fingerprint.h"
-#include "acquisition/recording/recording_file.h"
 #include "acquisition/recording/tip_centres.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
-#include "app/requests/access_option.h"
-#include "app/requests/referenced_files.h"
+#include "app/requests/recording_request.h"
 #include "app/results/evaluation/evaluation_json.h"
 #include "app/results/evaluation/evaluation_text.h"
 #include "app/results/identification/result_json.h"
-#include "artefacts/constraints/read_constraints.h"
 #include "core/text/in_quotes.h"
 #include "identification/evaluation/evaluation.h"
 
@@ -25,8 +21,8 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  RecordingOptions access;
-  std::string recording, arm;
+  RecordingRequest recording;
+  std::string arm;
 };
 
 // Readings that the arm was identified from say little of others: it was made to agree with them.
@@ -45,16 +41,19 @@ Expected<void> check_fits(const Recording& recording, const Arm& arm, const std:
 }
 
 // The arm of the file, where one is named, in place of the recording's, with the same probes by name.
-Expected<void> use_arm(const std::string& path, Recording& recording) {
+Expected<Recording> with_arm(const std::string& path, Recording recording) {
   if (path.empty()) {
-    return check_fits(recording, recording.arm, recording.arm_identification);
+    if (auto fits = check_fits(recording, recording.arm, recording.arm_identification); !fits) {
+      return tl::unexpected(with_warnings(fits.error(), recording.warnings));
+    }
+    return recording;
   }
   auto file = read_arm_file(path);
   if (!file) {
-    return tl::unexpected(file.error());
+    return tl::unexpected(with_warnings(file.error(), recording.warnings));
   }
   if (auto fits = check_fits(recording, file->arm, file->identification); !fits) {
-    return tl::unexpected(fits.error());
+    return tl::unexpected(with_warnings(fits.error(), recording.warnings));
   }
   for (Reading& reading : recording.readings) {
     reading.probe = probe_index(file->arm, recording.arm.probes[static_cast<std::size_t>(reading.probe)].name);
@@ -62,46 +61,40 @@ Expected<void> use_arm(const std::string& path, Recording& recording) {
   recording.inputs.push_back(file->input);
   recording.arm = std::move(file->arm);
   recording.arm_identification = std::move(file->identification);
-  return {};
+  return recording;
 }
 
 Expected<int> evaluate_and_tell(const Request& request) {
-  auto recording = read_recording(request.recording, request.access.of(request.recording));
-  if (!recording) {
-    return tl::unexpected(recording.error());
+  auto bound = request.recording.read()
+                   .and_then([&](Recording&& recording) { return with_arm(request.arm, std::move(recording)); })
+                   .and_then([&](Recording&& recording) { return request.recording.bind(std::move(recording)); });
+  if (!bound) {
+    return tl::unexpected(bound.error());
   }
-  if (auto used = use_arm(request.arm, *recording); !used) {
-    return tl::unexpected(with_warnings(used.error(), recording->warnings));
-  }
-  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
-  }
-  if (auto checked =
-          check_outputs({request.common.json}, referenced_files(*recording, request.access.of(request.recording)));
-      !checked) {
+  auto& [recording, constraints] = *bound;
+  if (auto checked = request.recording.check_outputs({request.common.json}, recording); !checked) {
     return tl::unexpected(checked.error());
   }
-  recording->warnings.insert(recording->warnings.end(), constraints->warnings.begin(), constraints->warnings.end());
-  if (recording->arm_identification) {
-    warn_of_same_readings(*recording, *recording->arm_identification);
+  recording.warnings.insert(recording.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
+  if (recording.arm_identification) {
+    warn_of_same_readings(recording, *recording.arm_identification);
   }
-  const auto evaluation = evaluate(*recording, *constraints, recording->arm);
+  const auto evaluation = evaluate(recording, constraints, recording.arm);
   if (!evaluation) {
-    return tl::unexpected(with_warnings(evaluation.error(), recording->warnings));
+    return tl::unexpected(with_warnings(evaluation.error(), recording.warnings));
   }
-  return request.common.tell(to_json(*recording, *constraints, *evaluation),
-                             to_text(*recording, *constraints, *evaluation, recording->warnings));
+  return request.common.tell(to_json(recording, constraints, *evaluation),
+                             to_text(recording, constraints, *evaluation, recording.warnings));
 }
 
 }  // namespace
 
 Run set_up_evaluate(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  request->recording.add_path_to(parser);
   parser.add_option("--arm", request->arm, "the arm to evaluate, such as an identified one; else the recording's")
       ->type_name("ARM");
-  request->access.add_to(parser);
+  request->recording.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "The arm is not changed. Where it was not identified from these readings, new ones are expected to deviate as "

@@ -9,17 +9,13 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm/arm_file.h"
-#include "acquisition/recording/recording_file.h"
 #include "app/arm/rounding_options.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
-#include "app/requests/access_option.h"
 #include "app/requests/dcc_request.h"
 #include "app/requests/identify_request.h"
-#include "app/requests/referenced_files.h"
+#include "app/requests/recording_request.h"
 #include "app/results/identification/dcc_identification.h"
 #include "app/results/identification/identification_report.h"
-#include "app/results/identification/identification_run.h"
 #include "app/results/identification/identified_arm.h"
 #include "app/results/identification/identify_progress.h"
 #include "app/results/identification/readings_json.h"
@@ -27,7 +23,6 @@
 #include "app/results/identification/result_text.h"
 #include "app/results/inspection/inspected_run.h"
 #include "app/results/inspection/inspection_json.h"
-#include "artefacts/constraints/read_constraints.h"
 #include "artefacts/dcc/writing/dcc_write.h"
 #include "identification/identify.h"
 
@@ -36,8 +31,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  RecordingOptions access;
-  std::string recording;
+  RecordingRequest recording;
   std::string arm_out;
   RoundingOptions rounding;
   DccRequest dcc;
@@ -66,7 +60,7 @@ InspectedIdentification identify_with_progress(const Recording& recording, const
   options.progress = [&](const std::string& what, std::size_t done, std::size_t total) {
     progress.set(what, done, total);
   };
-  return run_inspected(recording, constraints, options);
+  return inspect_result(identify(recording, constraints, options), recording, constraints, options);
 }
 
 // Writes the arm where it is asked for, rounded where that is; what a person is told of it. The covariance is that of
@@ -102,49 +96,46 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(checked.error());
   }
   const auto start = Clock::now();
-  auto recording = read_recording(request.recording, request.access.of(request.recording));
-  if (!recording) {
-    return tl::unexpected(recording.error());
+  const auto bound = request.recording.read_bound();
+  if (!bound) {
+    return tl::unexpected(bound.error());
   }
-  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
-  }
-  auto options = identify_options_of(request, *recording);
+  const auto& [recording, constraints] = *bound;
+  auto options = identify_options_of(request, recording);
   if (!options) {
     return tl::unexpected(options.error());
   }
-  const auto certificate = read_certificate_data(request.dcc, *recording);
+  const auto certificate = read_certificate_data(request.dcc, recording);
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.arm_out, request.common.json, request.dcc.out, request.report},
-                                   referenced_files(*recording, request.access.of(request.recording)));
+  if (auto checked = request.recording.check_outputs(
+          {request.arm_out, request.common.json, request.dcc.out, request.report}, recording);
       !checked) {
     return tl::unexpected(checked.error());
   }
   const double reading_seconds = seconds_since(start);
-  const auto run = identify_with_progress(*recording, *constraints, *options, request.common.quiet);
+  const auto run = identify_with_progress(recording, constraints, *options, request.common.quiet);
   const auto& result = run.result;
   if (!result) {
     return tl::unexpected(result.error());
   }
   const Timings timings{reading_seconds, seconds_since(start) - reading_seconds};
-  const auto said_of_arm = write_arm(request, *recording, *options, *result);
+  const auto said_of_arm = write_arm(request, recording, *options, *result);
   if (!said_of_arm) {
     return tl::unexpected(said_of_arm.error());
   }
   if (*certificate) {
-    const DccDocument document = dcc_of(*recording, *constraints, *result, **certificate);
+    const DccDocument document = dcc_of(recording, constraints, *result, **certificate);
     if (auto written = write_file(request.dcc.out, dcc_xml(document)); !written) {
       return tl::unexpected(written.error());
     }
   }
   if (!request.common.json.empty() || !request.report.empty()) {
-    auto json = to_json(*recording, *constraints, *options, *result, timings);
+    auto json = to_json(recording, constraints, *options, *result, timings);
     json["findings"] = findings_json(run.findings);
-    json["residuals"] = residuals_json(*recording, *constraints, *result);
-    if (auto written = write_identification_report(request.report, json, *recording, *options, *result); !written) {
+    json["residuals"] = residuals_json(recording, constraints, *result);
+    if (auto written = write_identification_report(request.report, json, recording, *options, *result); !written) {
       return tl::unexpected(written.error());
     }
     if (request.no_residuals) {
@@ -154,7 +145,7 @@ Expected<int> identify_and_tell(const Request& request) {
       return tl::unexpected(written.error());
     }
   }
-  request.common.say(fmt::format("{}{}\n", to_text(*recording, *constraints, *result), *said_of_arm));
+  request.common.say(fmt::format("{}{}\n", to_text(recording, constraints, *result), *said_of_arm));
   return 0;
 }
 
@@ -163,7 +154,7 @@ Expected<int> identify_and_tell(const Request& request) {
 Expected<int> identify_recording(const std::string& recording, const std::string& arm, const std::string& json,
                                  bool quiet) {
   Request request;
-  request.recording = recording;
+  request.recording.path = recording;
   request.arm_out = arm;
   request.common.json = json;
   request.common.quiet = quiet;
@@ -172,7 +163,7 @@ Expected<int> identify_recording(const std::string& recording, const std::string
 
 Run set_up_identify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  request->recording.add_path_to(parser);
   parser.add_option("-o,--output", request->arm_out, "write the identified arm, with its covariance")->type_name("ARM");
   request->rounding.add_to(parser);
   parser.add_option("--report", request->report, "write a report (HTML, prints on A4)")->type_name("FILE.html");
@@ -183,7 +174,7 @@ Run set_up_identify(CLI::App& parser) {
   parser.add_flag("--no-residuals", request->no_residuals, "leave the readings out of the JSON: it is much smaller");
   parser.add_option("--threads", request->threads, "threads for leaving out; 0 takes all, the result is the same")
       ->check(CLI::NonNegativeNumber);
-  request->access.add_to(parser);
+  request->recording.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer("Example:\n  artcal identify examples/two-socket-bar/recording.toml -o panda.toml --json result.json");
   return [request] {

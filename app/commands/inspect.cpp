@@ -1,19 +1,16 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "acquisition/recording/recording_file.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
-#include "app/requests/access_option.h"
-#include "app/requests/referenced_files.h"
-#include "app/results/identification/identification_run.h"
+#include "app/requests/identify_request.h"
+#include "app/requests/recording_request.h"
 #include "app/results/inspection/inspected_run.h"
 #include "app/results/inspection/inspection_json.h"
 #include "app/results/inspection/inspection_text.h"
 #include "app/results/verification/verification_run.h"
-#include "artefacts/constraints/read_constraints.h"
 
 namespace artcal {
 namespace {
@@ -22,8 +19,7 @@ constexpr int mistakes_found = 1;
 
 struct Request {
   CommonOptions common;
-  RecordingOptions access;
-  std::string recording;
+  RecordingRequest recording;
   bool no_fit = false;
 };
 
@@ -33,12 +29,12 @@ bool asks_for_verification(const Recording& recording) {
 
 // What a verification would say of limits and specification; nothing where it cannot be.
 Findings findings_by_standard(const Request& request, Recording&& as_read) {
-  const VerificationSources sources{"", "", request.access.of(request.recording), request.access.limits};
+  const VerificationSources sources{"", "", request.recording.access(), request.recording.options.limits};
   const auto result =
       read_verification_material(std::move(as_read), sources).and_then([](VerificationMaterial&& material) {
         return run_verification(material, "", "");
       });
-  return result ? findings_of_verification(result->verification.missing) : Findings{};
+  return result ? findings_of_verification(result->verification.evidence) : Findings{};
 }
 
 void add_new(Findings& findings, Findings&& more) {
@@ -54,27 +50,25 @@ void add_new(Findings& findings, Findings&& more) {
 }
 
 Expected<int> inspect_and_tell(const Request& request) {
-  auto recording = read_recording(request.recording, request.access.of(request.recording));
-  if (!recording) {
-    return tl::unexpected(recording.error());
+  auto as_read = request.recording.read();
+  if (!as_read) {
+    return tl::unexpected(as_read.error());
   }
-  auto to_verify = asks_for_verification(*recording) ? std::optional(*recording) : std::nullopt;
-  const auto constraints = read_constraints(*recording, request.access.of(request.recording), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
+  auto to_verify = asks_for_verification(*as_read) ? std::optional(*as_read) : std::nullopt;
+  auto bound = request.recording.bind(std::move(*as_read));
+  if (!bound) {
+    return tl::unexpected(bound.error());
   }
-  if (auto checked =
-          check_outputs({request.common.json}, referenced_files(*recording, request.access.of(request.recording)));
-      !checked) {
+  auto& [recording, constraints] = *bound;
+  if (auto checked = request.recording.check_outputs({request.common.json}, recording); !checked) {
     return tl::unexpected(checked.error());
   }
-  const IdentifyOptions options = recorded_options(*recording);
-  Inspection inspection = inspected(*recording, *constraints, request.no_fit ? nullptr : &options);
+  const IdentifyOptions options = recorded_options(recording);
+  Inspection inspection = inspected(recording, constraints, request.no_fit ? nullptr : &options);
   if (to_verify) {
     add_new(inspection.findings, findings_by_standard(request, std::move(*to_verify)));
   }
-  return request.common.tell(to_json(*recording, *constraints, inspection),
-                             to_text(*recording, *constraints, inspection),
+  return request.common.tell(to_json(recording, constraints, inspection), to_text(recording, constraints, inspection),
                              inspection.findings.empty() ? 0 : mistakes_found);
 }
 
@@ -82,9 +76,9 @@ Expected<int> inspect_and_tell(const Request& request) {
 
 Run set_up_inspect(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  request->recording.add_path_to(parser);
   parser.add_flag("--no-fit", request->no_fit, "leave out what needs a quick fit: orders, signs, units, labels, radii");
-  request->access.add_to(parser);
+  request->recording.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "The exit code is 0 where no mistake is found and 1 where one is; remarks do not count.\n"

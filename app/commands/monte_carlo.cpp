@@ -6,17 +6,15 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/recording/recording_file.h"
 #include "app/output/capture.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
 #include "app/output/stop_on_signal.h"
+#include "app/requests/recording_request.h"
 #include "app/requests/referenced_files.h"
-#include "app/results/identification/identification_run.h"
+#include "app/results/identification/input_warnings.h"
 #include "app/results/uncertainty/monte_carlo_progress.h"
 #include "app/results/uncertainty/monte_carlo_result.h"
 #include "app/results/uncertainty/monte_carlo_state.h"
-#include "artefacts/constraints/read_constraints.h"
 
 namespace artcal {
 namespace {
@@ -40,35 +38,33 @@ const std::string& state_of(const MonteCarloRequest& request) {
 Expected<std::unique_ptr<Material>> identify_once(const MonteCarloRequest& request, const CommonOptions& common,
                                                   const std::string& path, const std::string& probe,
                                                   std::uint64_t seed) {
-  auto recording = read_recording(path, request.access.of(path));
-  if (!recording) {
-    return tl::unexpected(recording.error());
+  const RecordingRequest of_recording{path, request.access};
+  auto bound = of_recording.read_bound();
+  if (!bound) {
+    return tl::unexpected(bound.error());
   }
-  auto constraints = read_constraints(*recording, request.access.of(path), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
-  }
-  auto options = request.choices.options(*recording);
+  auto& [recording, constraints] = *bound;
+  auto options = request.choices.options(recording);
   if (!options) {
     return tl::unexpected(options.error());
   }
   options->leave_out = options->automatic;  // which chooses by it
-  auto monte_carlo = request.options(recording->arm, probe, seed);
+  auto monte_carlo = request.options(recording.arm, probe, seed);
   if (!monte_carlo) {
     return tl::unexpected(monte_carlo.error());
   }
-  std::vector<InputFile> inputs = referenced_files(*recording, request.access.of(path));
+  std::vector<InputFile> inputs = referenced_files(recording, of_recording.access());
   for (const std::string& shard : request.merge) {
     inputs.push_back({shard, ""});
   }
   if (auto checked = check_outputs({common.json, state_of(request)}, inputs); !checked) {
     return tl::unexpected(checked.error());
   }
-  auto identification = run_identification(*recording, *constraints, *options);
+  auto identification = with_input_warnings(identify(recording, constraints, *options), recording, constraints);
   if (!identification) {
     return tl::unexpected(identification.error());
   }
-  return std::make_unique<Material>(Material{std::move(*recording), std::move(*constraints), std::move(*options),
+  return std::make_unique<Material>(Material{std::move(recording), std::move(constraints), std::move(*options),
                                              std::move(*monte_carlo), std::move(*identification)});
 }
 

@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include "acquisition/arm/arm_file.h"
-#include "acquisition/recording/recording_file.h"
 #include "acquisition/recording/tip_centres.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
-#include "app/output/phrases.h"
-#include "app/requests/access_option.h"
 #include "app/requests/named_values.h"
+#include "app/requests/recording_request.h"
 #include "app/requests/referenced_files.h"
 #include "app/requests/stand_options.h"
 #include "app/requests/stated_noise.h"
 #include "app/results/planning/plan_result.h"
 #include "artefacts/artefact/artefact_file.h"
-#include "artefacts/constraints/read_constraints.h"
 #include "artefacts/simulation/plan/plan_file.h"
 #include "artefacts/simulation/possible_session.h"
 #include "core/files/size_limits.h"
@@ -118,17 +115,13 @@ Expected<Noise> noise_of(const Request& request) {
   return noise;
 }
 
-/// Readings that are there already.
-struct Measured {
-  Recording recording;
-  Constraints constraints;
-};
-
-Expected<std::optional<Measured>> measured_of(const Request& request, const Arm& arm) {
+// Readings that are there already.
+Expected<std::optional<BoundRecording>> measured_of(const Request& request, const Arm& arm) {
   if (request.measured.empty()) {
     return std::nullopt;
   }
-  auto recording = read_recording(request.measured, request.access.of(request.measured));
+  const RecordingRequest measured{request.measured, request.access};
+  auto recording = measured.read();
   if (!recording) {
     return tl::unexpected(recording.error());
   }
@@ -143,11 +136,9 @@ Expected<std::optional<Measured>> measured_of(const Request& request, const Arm&
                     in_quotes(recording->arm.name), in_quotes(arm.name)),
         request.measured);
   }
-  auto constraints = read_constraints(*recording, request.access.of(request.measured), request.access.scans());
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), recording->warnings));
-  }
-  return Measured{std::move(*recording), std::move(*constraints)};
+  return measured.bind(std::move(*recording)).map([](BoundRecording&& bound) {
+    return std::optional(std::move(bound));
+  });
 }
 
 Expected<int> plan_and_tell(const Request& request) {

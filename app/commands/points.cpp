@@ -1,28 +1,26 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "acquisition/arm/arm_file.h"
 #include "acquisition/csv/csv_text.h"
-#include "acquisition/recording/recording_file.h"
 #include "acquisition/recording/tip_centres.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
 #include "app/output/phrases.h"
-#include "app/requests/access_option.h"
-#include "app/requests/referenced_files.h"
+#include "app/requests/recording_request.h"
 #include "app/results/identification/result_json.h"
-#include "artefacts/constraints/read_constraints.h"
 
 namespace artcal {
 namespace {
 
 struct Request {
   CommonOptions common;
-  RecordingOptions access;
-  std::string recording, arm, output = "-";
+  RecordingRequest recording;
+  std::string arm, output = "-";
 };
 
 // Readings of coordinates, in mm: a table that another recording can name.
@@ -59,17 +57,20 @@ nlohmann::ordered_json points_json(const Recording& recording, const TipCentres&
   return json;
 }
 
+// Points of scans are readings once the artefact is found among them.
+Expected<Recording> read_with_scans(const RecordingRequest& request) {
+  return request.read().and_then([&](Recording&& recording) -> Expected<Recording> {
+    if (recording.scans.empty()) {
+      return std::move(recording);
+    }
+    return request.bind(std::move(recording)).map([](BoundRecording&& bound) { return std::move(bound.recording); });
+  });
+}
+
 Expected<int> write_points(const Request& request) {
-  auto recording = read_recording(request.recording, request.access.of(request.recording));
+  auto recording = read_with_scans(request.recording);
   if (!recording) {
     return tl::unexpected(recording.error());
-  }
-  if (!recording->scans.empty()) {
-    if (const auto labelled =
-            read_constraints(*recording, request.access.of(request.recording), request.access.scans());
-        !labelled) {
-      return tl::unexpected(with_warnings(labelled.error(), recording->warnings));
-    }
   }
   std::optional<Arm> arm;
   std::optional<ArmIdentification> identification;
@@ -82,9 +83,7 @@ Expected<int> write_points(const Request& request) {
     arm = std::move(file->arm);
     identification = std::move(file->identification);
   }
-  if (auto checked = check_outputs({request.output, request.common.json},
-                                   referenced_files(*recording, request.access.of(request.recording)));
-      !checked) {
+  if (auto checked = request.recording.check_outputs({request.output, request.common.json}, *recording); !checked) {
     return tl::unexpected(checked.error());
   }
   const auto tips = tip_centres(*recording, arm ? *arm : recording->arm, identification ? &*identification : nullptr);
@@ -117,12 +116,12 @@ Expected<int> write_points(const Request& request) {
 
 Run set_up_points(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  request->recording.add_path_to(parser);
   parser.add_option("--arm", request->arm, "the arm to compute with, such as an identified one; else the recording's")
       ->type_name("ARM");
   parser.add_option("-o,--output", request->output, "CSV of the tip's centres; - is standard output")
       ->type_name("FILE");
-  request->access.add_to(parser);
+  request->recording.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer("Example:\n  artcal points examples/ball-bar/recording.toml -o points.csv");
   return [request] {

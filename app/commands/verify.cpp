@@ -3,13 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/recording/recording_file.h"
 #include "app/commands/command.h"
 #include "app/output/output.h"
 #include "app/report/report.h"
-#include "app/requests/access_option.h"
 #include "app/requests/dcc_request.h"
-#include "app/requests/referenced_files.h"
+#include "app/requests/recording_request.h"
 #include "app/results/inspection/inspected_run.h"
 #include "app/results/inspection/inspection_json.h"
 #include "app/results/inspection/inspection_text.h"
@@ -30,9 +28,8 @@ constexpr int conformity_not_shown = 1;
 
 struct Request {
   CommonOptions common;
-  std::string recording;
+  RecordingRequest recording;
   std::string arm, specification;
-  RecordingOptions access;
   std::string standard, against, report;
   DccRequest dcc;
   std::string artefact_out;
@@ -60,12 +57,11 @@ Expected<std::string> calibrated_plate_text(const Request& request, const Verifi
 }
 
 Expected<int> verify_and_tell(const Request& request) {
-  auto material =
-      read_recording(request.recording, request.access.of(request.recording)).and_then([&](Recording&& recording) {
-        return read_verification_material(
-            std::move(recording),
-            {request.arm, request.specification, request.access.of(request.recording), request.access.limits});
-      });
+  auto material = request.recording.read().and_then([&](Recording&& recording) {
+    return read_verification_material(
+        std::move(recording),
+        {request.arm, request.specification, request.recording.access(), request.recording.options.limits});
+  });
   if (!material) {
     return tl::unexpected(material.error());
   }
@@ -77,8 +73,8 @@ Expected<int> verify_and_tell(const Request& request) {
   if (!certificate) {
     return tl::unexpected(certificate.error());
   }
-  if (auto checked = check_outputs({request.common.json, request.dcc.out, request.artefact_out, request.report},
-                                   referenced_files(material->recording, request.access.of(request.recording)));
+  if (auto checked = request.recording.check_outputs(
+          {request.common.json, request.dcc.out, request.artefact_out, request.report}, material->recording);
       !checked) {
     return tl::unexpected(checked.error());
   }
@@ -117,7 +113,7 @@ Expected<int> verify_and_tell(const Request& request) {
 
 Run set_up_verify(CLI::App& parser) {
   auto request = std::make_shared<Request>();
-  parser.add_option("recording", request->recording, "recording.toml")->required()->type_name("RECORDING");
+  request->recording.add_path_to(parser);
   parser.add_option("--standard", request->standard, "what to judge by; else the recording's")
       ->check(CLI::IsMember({"iso10360-12", "b89.4.22", "sphere-plate"}));
   parser.add_option("--arm", request->arm, "the arm to judge, such as an identified one; else the recording's")
@@ -135,7 +131,7 @@ Run set_up_verify(CLI::App& parser) {
       ->type_name("FILE");
   request->dcc.add_to(parser);
   parser.add_flag("--all", request->all, "print every value, however many there are");
-  request->access.add_to(parser);
+  request->recording.options.add_to(parser);
   request->common.add_to(parser);
   parser.footer(
       "The exit code is 0 where conformity is proven (with --against: where no drift is) and 1 where it is not.\n"

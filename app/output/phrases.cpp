@@ -11,15 +11,6 @@ std::string plural(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-Error with_warnings(Error error, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    if (error.code != ErrorCode::Usage) {
-      error.message += "; warning: " + warning;
-    }
-  }
-  return error;
-}
-
 std::string text_of_exception(const std::exception& error) {
   const std::string what = error.what();
   // std::thread throws a system_error, TBB an exception of its own; both say what the C library says.

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
-
 namespace artcal {
 
 /// "1 reading", "2 readings".
@@ -17,9 +15,6 @@ std::string as_sentence(const std::string& text);
 
 /// A line "Warning: …." for each; nothing for none.
 std::string warning_lines(const std::vector<std::string>& warnings);
-
-/// An error whose message also names what looks wrong in the input: the cause may be there.
-Error with_warnings(Error error, const std::vector<std::string>& warnings);
 
 /// An exception that nothing below has made an error of: no more threads, which the user can do something about, or a
 /// fault of this program.

@@ -4,7 +4,6 @@
 
 #include "app/requests/model_asked.h"
 #include "app/requests/stated_noise.h"
-#include "app/results/identification/identification_run.h"
 
 namespace artcal {
 namespace {
@@ -33,7 +32,21 @@ Expected<Noise> noise_of(const IdentifyChoices& choices, const Recording& record
   return noise;
 }
 
+// "none", "huber" or "cauchy".
+Loss loss_named(const std::string& name) {
+  return name == "huber" ? Loss::Huber : name == "cauchy" ? Loss::Cauchy : Loss::None;
+}
+
 }  // namespace
+
+IdentifyOptions recorded_options(const Recording& recording) {
+  IdentifyOptions options;
+  options.hold = recording.identify.hold;
+  options.free = recording.identify.free;
+  options.loss = loss_named(recording.identify.loss);
+  options.noise = recording.noise;
+  return options;
+}
 
 void IdentifyChoices::add_to(CLI::App& parser, const std::string& group) {
   parser.add_option("--hold", hold, "parameters to keep at their nominal value, such as l,a1")

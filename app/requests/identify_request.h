@@ -9,6 +9,9 @@
 
 namespace artcal {
 
+/// What a recording asks of its own identification.
+IdentifyOptions recorded_options(const Recording& recording);
+
 /// What a command line says of an identification, beside what the recording says of its own.
 struct IdentifyChoices {
   std::vector<std::string> hold, free;

@@ -1,7 +1,6 @@
 #include "app/shell/command_line_paths.h"
 
 #include <map>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -42,16 +41,13 @@ void note_command_line_paths(const CLI::App& program) {
 }
 
 std::string text_with_origin(const Error& error) {
-  constexpr std::string_view absent = "there is no such file";
   const auto path = noted().find(error.where);
-  if (path == noted().end() || !error.message.starts_with(absent)) {
+  if (path == noted().end() || error.kind != ErrorKind::MissingFile) {
     return error.text();
   }
-  return Error{
-      error.code,
-      fmt::format("{}, named on the command line as {}{}", absent, path->second, error.message.substr(absent.size())),
-      error.where}
-      .text();
+  Error named = error;
+  named.message.insert(error.found.size(), fmt::format(", named on the command line as {}", path->second));
+  return named.text();
 }
 
 }  // namespace artcal

@@ -61,12 +61,12 @@ Expected<int> find_feature(const Recording& recording, int reading, const Artefa
                    recording.where(reading));
 }
 
-ConstraintKind kind_of(FeatureKind kind) {
-  switch (kind) {
-    case FeatureKind::Sphere: return ConstraintKind::OnBall;
-    case FeatureKind::Plane: return ConstraintKind::OnPlane;
-    case FeatureKind::Anchor: return ConstraintKind::AtDistance;
-    default: return ConstraintKind::Coincide;
+ConstraintKind kind_of(const CertifiedFeature& feature, double expansion) {
+  switch (feature.kind) {
+    case FeatureKind::Sphere: return OnBall{feature.radius ? std::optional(expansion * *feature.radius) : std::nullopt};
+    case FeatureKind::Plane: return OnPlane{feature.normal};
+    case FeatureKind::Anchor: return AtDistance{};
+    default: return Coincide{};
   }
 }
 
@@ -93,7 +93,7 @@ Expected<void> add_reading(FeatureConstraint& constraint, const Recording& recor
                                    in_quotes(feature.name)),
                        recording.where(index));
     }
-    constraint.distances.push_back(reading.length);
+    constraint.as<AtDistance>()->distances.push_back(reading.length);
   }
   return {};
 }
@@ -156,11 +156,9 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
       added.placement = placement;
       added.feature = *f;
       added.location = location_of(artefact, feature);
-      added.kind = kind_of(feature.kind);
       added.u = feature.u;
       added.expansion = artefact.expansion_factor(means.at({a, placement}));
-      added.normal = feature.normal.value_or(Eigen::Vector3d::Zero());
-      added.radius = added.expansion * feature.radius.value_or(0.0);
+      added.kind = kind_of(feature, added.expansion);
     }
     if (auto read = add_reading(constraints.features[entry->second], recording, i, feature); !read) {
       return tl::unexpected(read.error());

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double joint_step = 1e-9;  // rad; far below any encoder's resolution and above the rounding of a conversion
 constexpr double max_by_resolution = 0.25;
-constexpr std::string_view counted_once = " and are counted once: they are no independent measurements";
 
 // What makes a measurement, a column a reading.
 Eigen::MatrixXd measured_numbers(const Recording& recording) {
@@ -79,8 +78,6 @@ void spare_resolution(const Recording& recording, const std::vector<Artefact>& a
 
 }  // namespace
 
-bool is_coincidence_warning(std::string_view warning) { return warning.ends_with(counted_once); }
-
 void drop_coincident_readings(Recording& recording, const std::vector<Artefact>& artefacts) {
   auto first = first_coincident(measured_numbers(recording));
   spare_resolution(recording, artefacts, first);
@@ -105,8 +102,11 @@ void drop_coincident_readings(Recording& recording, const std::vector<Artefact>&
       kept.push_back(recording.readings[i]);
     }
   }
-  recording.warnings.push_back(fmt::format("{} of {} readings repeat an earlier one in every number ({}){}",
-                                           first.size() - kept.size(), first.size(), example, counted_once));
+  recording.repeated_readings = fmt::format(
+      "{} of {} readings repeat an earlier one in every number ({}) and are counted once: they are no "
+      "independent measurements",
+      first.size() - kept.size(), first.size(), example);
+  recording.warnings.push_back(*recording.repeated_readings);
   if (has_columns) {
     recording.joints = joints.leftCols(static_cast<Eigen::Index>(kept.size())).eval();
   }

@@ -62,8 +62,8 @@ Constraints with_scaled_turns(Constraints constraints) {
 
 Constraints balls_as_points(Constraints constraints) {
   for (auto& feature : constraints.features) {
-    if (feature.kind == ConstraintKind::OnBall) {
-      feature.kind = ConstraintKind::Coincide;
+    if (feature.is<OnBall>()) {
+      feature.kind = Coincide{};
     }
   }
   assign_unknowns(constraints);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,23 +14,41 @@
 
 namespace artcal {
 
-struct ScanSelection;  // artefacts/scans/scan_readings.h
-
-/// Where the point or plane that a constraint refers to is known.
+/// Where the point c, or the plane through it, that a constraint refers to is known.
 enum class Location {
   Unknown,  ///< nowhere: a point is three unknowns in its group, a plane one, besides the tilts of its normal
   Posed,    ///< in the artefact's frame, whose pose is six unknowns in its group
   Base,     ///< in the base frame: no unknowns
 };
 
-/// What is asked of the tip's centre P with respect to that point c, or a plane through it with the outward
-/// normal n. One residual a reading, mm, but for the first.
-enum class ConstraintKind {
-  Coincide,    ///< P = c: three residuals a reading
-  AtDistance,  ///< |P − c| = a length that the reading brings
-  OnBall,      ///< |P − c| = radius of the ball + radius of the tip
-  OnPlane,     ///< n·(P − c) = radius of the tip
+/// P = c, the tip's centre at that point: three residuals a reading.
+struct Coincide {};
+
+/// |P − c| = a length that the reading brings: one residual a reading, mm.
+struct AtDistance {
+  std::vector<double> distances{};  ///< of each reading, mm
 };
+
+/// |P − c| = radius of the ball + radius of the tip: one residual a reading, mm.
+struct OnBall {
+  std::optional<double> radius{};      ///< in this placement, mm; nothing where it is not certified
+  std::optional<int> shared_radius{};  ///< into Constraints::shared: takes its place; nothing: it is certified exactly
+};
+
+/// A face of a gauge (see UnknownGroup).
+struct GaugeFace {
+  double facing = 1.0;  ///< along the axis of the gauge or, -1, against it
+  double height = 0.0;  ///< along that axis, mm
+};
+
+/// n·(P − c) = radius of the tip, with the outward normal n: one residual a reading, mm.
+struct OnPlane {
+  std::optional<Eigen::Vector3d> normal{};  ///< unit, as certified; of a face of a gauge, its axis or the opposite
+  std::optional<GaugeFace> face{};
+};
+
+/// What is asked of the tip's centre.
+using ConstraintKind = std::variant<Coincide, AtDistance, OnBall, OnPlane>;
 
 /// A number that belongs to the artefact itself, the same in all its placements, and is not known exactly:
 /// a ball's radius, or the error of a certified coordinate. The certificate tells it with a standard
@@ -50,24 +69,42 @@ struct FeatureConstraint {
   int placement = 0;  ///< into Recording::placements
   int feature = 0;    ///< into Artefact::features
   Location location = Location::Unknown;
-  ConstraintKind kind = ConstraintKind::Coincide;
-  int group = -1;                      ///< of the unknowns, or -1 where there are none
+  ConstraintKind kind;
+  std::optional<int> group{};          ///< of the unknowns; nothing where there are none (Location::Base)
   int offset = 0;                      ///< of the point's three unknowns or the plane's one in the group (Unknown)
   std::vector<int> readings;           ///< into Recording::readings
   std::vector<Eigen::Vector3d> known;  ///< c of each reading, mm (empty where unknown)
-  std::vector<double> distances;       ///< the length of each reading, mm (AtDistance only)
   double u = 0.0;                      ///< standard uncertainty of what each reading brings, mm
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of a plane, unit, as certified; zero where it is not
-  double facing = 0.0;     ///< along the axis of a gauge (see UnknownGroup) or, -1, against it; 0: no face of a gauge
-  double height = 0.0;     ///< of a face along that axis, mm
-  double radius = 0.0;     ///< of the ball in this placement, mm; 0 where it is unknown
-  double expansion = 1.0;  ///< length in this placement / length at the reference temperature
-  int first_error = -1;    ///< of three in Constraints::shared, of the certified coordinates; or -1
-  int shared_radius = -1;  ///< into Constraints::shared: takes the place of `radius`; or -1
+  double expansion = 1.0;              ///< length in this placement / length at the reference temperature
+  std::optional<int> first_error{};  ///< of three in Constraints::shared, where the certified coordinates are unknowns
 
   [[nodiscard]] int size() const { return static_cast<int>(readings.size()); }
+  template <typename Kind>
+  [[nodiscard]] bool is() const {
+    return std::holds_alternative<Kind>(kind);
+  }
+  /// Null where the constraint is of another kind.
+  template <typename Kind>
+  [[nodiscard]] const Kind* as() const {
+    return std::get_if<Kind>(&kind);
+  }
+  template <typename Kind>
+  [[nodiscard]] Kind* as() {
+    return std::get_if<Kind>(&kind);
+  }
+  /// Whether the point c is a centre, at a distance from the tips.
+  [[nodiscard]] bool has_centre() const { return is<OnBall>() || is<AtDistance>(); }
+  [[nodiscard]] std::optional<int> shared_radius() const {
+    const auto* ball = as<OnBall>();
+    return ball == nullptr ? std::nullopt : ball->shared_radius;
+  }
+  /// Null where the constraint is none on a face of a gauge.
+  [[nodiscard]] const GaugeFace* face() const {
+    const auto* plane = as<OnPlane>();
+    return plane != nullptr && plane->face ? &*plane->face : nullptr;
+  }
   /// Residuals a reading.
-  [[nodiscard]] int dimension() const { return kind == ConstraintKind::Coincide ? 3 : 1; }
+  [[nodiscard]] int dimension() const { return is<Coincide>() ? 3 : 1; }
 };
 
 /// The distance between two features' points or centres, or between two parallel planes, in one placement,
@@ -139,12 +176,6 @@ FeatureName name_of(const FeatureConstraint& constraint, const Constraints& cons
 /// the artefact's name a plane of which only the place is certified, a distance between a plane and a point
 /// or between planes that are not parallel.
 Expected<Constraints> build_constraints(const Recording& recording, std::vector<Artefact> artefacts);
-
-/// Reads the artefact files that a recording names, notes them as its inputs, makes readings of the recording's scans
-/// (artefacts/scans/scan_readings.h), and binds them to it.
-Expected<Constraints> read_constraints(Recording& recording);
-/// The same with another choice of the scans' points.
-Expected<Constraints> read_constraints(Recording& recording, const ScanSelection& selection);
 
 /// The same without the placements for which `drop[i]` is set, i counting Constraints::features.
 Constraints without_features(const Constraints& constraints, const std::vector<bool>& drop);

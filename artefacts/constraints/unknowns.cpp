@@ -24,7 +24,7 @@ const CertifiedFeature& certified(const FeatureConstraint& feature, const Constr
 
 // Its place in the group is its own.
 bool is_free(const FeatureConstraint& feature) {
-  return feature.location == Location::Unknown && feature.facing == 0.0;
+  return feature.location == Location::Unknown && feature.face() == nullptr;
 }
 
 /// What was read of an artefact in one placement.
@@ -34,9 +34,9 @@ struct Seen {
 };
 
 // The class of parallel planes that this one belongs to; nothing where it is the first of its class.
-const Eigen::Vector3d* direction_of(const FeatureConstraint& plane, const Seen& seen) {
+const Eigen::Vector3d* direction_of(const OnPlane& plane, const Seen& seen) {
   const auto found = std::find_if(seen.directions.begin(), seen.directions.end(),
-                                  [&](const Eigen::Vector3d& other) { return are_parallel(other, plane.normal); });
+                                  [&](const Eigen::Vector3d& other) { return are_parallel(other, *plane.normal); });
   return found == seen.directions.end() ? nullptr : &*found;
 }
 
@@ -53,18 +53,19 @@ void find_gauges(Constraints& constraints) {
   const auto place_of = [](const FeatureConstraint& feature) { return std::pair{feature.artefact, feature.placement}; };
   std::map<std::pair<int, int>, Seen> placements;
   for (auto& feature : constraints.features) {
-    if (feature.facing != 0.0) {  // found with other readings beside it
+    auto* plane = feature.as<OnPlane>();
+    if (plane != nullptr && plane->face) {  // found with other readings beside it
       feature.location = Location::Posed;
-      feature.facing = 0.0;
-      feature.normal = certified(feature, constraints).normal.value_or(feature.normal);
+      plane->face.reset();
+      plane->normal = certified(feature, constraints).normal;
     }
     if (feature.location != Location::Posed) {
       continue;
     }
     Seen& seen = placements[place_of(feature)];
-    seen.only_planes &= feature.kind == ConstraintKind::OnPlane;
-    if (feature.kind == ConstraintKind::OnPlane && direction_of(feature, seen) == nullptr) {
-      seen.directions.push_back(feature.normal);
+    seen.only_planes &= plane != nullptr;
+    if (plane != nullptr && direction_of(*plane, seen) == nullptr) {
+      seen.directions.push_back(*plane->normal);
     }
   }
   for (auto& feature : constraints.features) {
@@ -73,11 +74,11 @@ void find_gauges(Constraints& constraints) {
     }
     const Seen& seen = placements.at(place_of(feature));
     if (seen.only_planes && face_along_one_axis(seen.directions)) {
-      const Eigen::Vector3d axis = *direction_of(feature, seen);
+      auto& plane = std::get<OnPlane>(feature.kind);
+      const Eigen::Vector3d axis = *direction_of(plane, seen);
       feature.location = Location::Unknown;
-      feature.facing = feature.normal.dot(axis) < 0.0 ? -1.0 : 1.0;
-      feature.normal = feature.facing * axis;
-      feature.height = axis.dot(feature.known.front());
+      plane.face = GaugeFace{plane.normal->dot(axis) < 0.0 ? -1.0 : 1.0, axis.dot(feature.known.front())};
+      plane.normal = plane.face->facing * axis;
     }
   }
 }
@@ -87,6 +88,15 @@ int root_of(std::vector<int>& parent, int i) {
     i = parent[i] = parent[parent[i]];
   }
   return i;
+}
+
+// The axis of a gauge, of one of its faces; zero of what has a pose.
+Eigen::Vector3d axis_of(const FeatureConstraint& feature) {
+  const GaugeFace* face = feature.face();
+  if (face == nullptr) {
+    return Eigen::Vector3d::Zero();
+  }
+  return face->facing * *feature.as<OnPlane>()->normal;
 }
 
 // Unknowns are grouped by what ties them together: a distance between two points, or one pose.
@@ -100,8 +110,8 @@ void assign_groups(Constraints& constraints) {
   std::map<std::pair<int, int>, std::vector<First>> first_posed;
   for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
     const auto& feature = constraints.features[i];
-    if (feature.location == Location::Posed || feature.facing != 0.0) {
-      const Eigen::Vector3d axis = feature.facing * feature.normal;
+    if (!is_free(feature) && feature.location != Location::Base) {
+      const Eigen::Vector3d axis = axis_of(feature);
       auto& firsts = first_posed[{feature.artefact, feature.placement}];
       const auto first =
           std::find_if(firsts.begin(), firsts.end(), [&](const First& other) { return other.axis == axis; });
@@ -123,25 +133,26 @@ void assign_groups(Constraints& constraints) {
   for (int i = 0; i < static_cast<int>(parent.size()); ++i) {
     auto& feature = constraints.features[i];
     if (feature.location == Location::Base) {
-      feature.group = -1;
+      feature.group.reset();
       continue;
     }
     const auto [entry, is_new] =
         group_of_root.try_emplace(root_of(parent, i), static_cast<int>(constraints.groups.size()));
     if (is_new) {
       const bool posed = feature.location == Location::Posed;
-      const bool tilted = !posed && feature.kind == ConstraintKind::OnPlane;
+      const bool tilted = !posed && feature.is<OnPlane>();
       constraints.groups.push_back({posed, tilted, posed ? 6 : tilted ? 2 : 0, PoseTurn::Free, {}});
     }
     feature.group = entry->second;
-    auto& group = constraints.groups[feature.group];
+    auto& group = constraints.groups[entry->second];
     if (feature.location == Location::Unknown) {
-      feature.offset = feature.facing != 0.0 ? 2 : group.size;
-      if (feature.facing != 0.0) {
+      const bool is_face = feature.face() != nullptr;
+      feature.offset = is_face ? 2 : group.size;
+      if (is_face) {
         group.size = 3;
         continue;
       }
-      group.size += feature.kind == ConstraintKind::OnPlane ? 1 : 3;
+      group.size += feature.is<OnPlane>() ? 1 : 3;
     }
   }
 }
@@ -152,13 +163,13 @@ void find_lines(Constraints& constraints) {
   std::vector<std::vector<const FeatureConstraint*>> posed(constraints.groups.size());
   for (const auto& feature : constraints.features) {
     if (feature.location == Location::Posed) {
-      posed[feature.group].push_back(&feature);
+      posed[*feature.group].push_back(&feature);
     }
   }
   for (std::size_t g = 0; g < posed.size(); ++g) {
     std::vector<Eigen::Vector3d> points;
     for (const auto* feature : posed[g]) {
-      if (feature->kind != ConstraintKind::OnPlane) {
+      if (!feature->is<OnPlane>()) {
         points.insert(points.end(), feature->known.begin(), feature->known.end());
       }
     }
@@ -166,8 +177,9 @@ void find_lines(Constraints& constraints) {
       continue;
     }
     const PointLine line = line_through(points);
-    const bool planes_across = std::all_of(posed[g].begin(), posed[g].end(), [&](const auto* feature) {
-      return feature->kind != ConstraintKind::OnPlane || are_parallel(feature->normal, line.artefact_from_line.col(2));
+    const bool planes_across = std::all_of(posed[g].begin(), posed[g].end(), [&](const FeatureConstraint* feature) {
+      const auto* plane = feature->as<OnPlane>();
+      return plane == nullptr || are_parallel(*plane->normal, line.artefact_from_line.col(2));
     });
     if (!(line.length > on_the_line) || !(line.straightness < nearly_straight * line.length) || !planes_across) {
       continue;
@@ -185,7 +197,7 @@ bool needs_errors(const FeatureConstraint& feature, const CertifiedFeature& valu
 }
 
 bool needs_radius(const FeatureConstraint& feature, const CertifiedFeature& value) {
-  return feature.kind == ConstraintKind::OnBall && (!value.radius || value.u_radius > 0.0);
+  return feature.is<OnBall>() && (!value.radius || value.u_radius > 0.0);
 }
 
 // One entry a feature of the artefact, whatever the placements; those of one feature are adjacent.
@@ -220,8 +232,11 @@ void assign_shared(Constraints& constraints) {
             {artefact, index, Quantity::Radius, value.radius.value_or(0.0), value.radius ? value.u_radius : 0.0});
       }
     }
-    feature.first_error = needs_errors(feature, value) ? of_feature.first : -1;
-    feature.shared_radius = needs_radius(feature, value) ? of_feature.first + (of_feature.errors ? 3 : 0) : -1;
+    feature.first_error = needs_errors(feature, value) ? std::optional(of_feature.first) : std::nullopt;
+    if (auto* ball = feature.as<OnBall>()) {
+      ball->shared_radius =
+          needs_radius(feature, value) ? std::optional(of_feature.first + (of_feature.errors ? 3 : 0)) : std::nullopt;
+    }
   }
 }
 

@@ -9,12 +9,16 @@
 
 namespace artcal {
 
+std::string MissingEvidence::line() const { return fmt::format("{} [{}]", text, name_of(evidence)); }
+
 void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
                     const std::string& text) {
-  auto& list = specification.waived.contains(evidence) ? verification.waived : verification.missing;
-  std::string line = fmt::format("{} [{}]", text, name_of(evidence));
+  const MissingEvidence missing{evidence, text, specification.waived.contains(evidence)};
+  auto& list = missing.is_waived ? verification.waived : verification.missing;
+  std::string line = missing.line();
   if (std::find(list.begin(), list.end(), line) == list.end()) {
     list.push_back(std::move(line));
+    verification.evidence.push_back(missing);
   }
 }
 

@@ -39,22 +39,33 @@ enum class Conclusion {
   ConformityNotShown,   ///< neither: see the verdicts and what is missing
 };
 
+/// Evidence that is missing: a line of Verification::missing or, where the specification waives it, of waived.
+struct MissingEvidence {
+  Evidence evidence = Evidence::CertificateAbsent;
+  std::string text;
+  bool is_waived = false;
+
+  /// "`text` [certificate_lapsed]".
+  [[nodiscard]] std::string line() const;
+};
+
 /// An arm verified.
 struct Verification {
   std::string standard;
   DecisionRule rule = DecisionRule::Iso14253_2017;
   std::vector<TestValue> values;
-  PointScatters scatters{};           ///< of the touches, by their kind
-  std::vector<std::string> missing;   ///< what stands in the way of conformity beside the values
-  std::vector<std::string> waived;    ///< what would stand there, but the specification waives it
-  std::vector<std::string> warnings;  ///< what looks wrong but may be right
+  PointScatters scatters{};               ///< of the touches, by their kind
+  std::vector<std::string> missing;       ///< what stands in the way of conformity beside the values
+  std::vector<std::string> waived;        ///< what would stand there, but the specification waives it
+  std::vector<MissingEvidence> evidence;  ///< those of both that lack evidence
+  std::vector<std::string> warnings;      ///< what looks wrong but may be right
   Conclusion conclusion = Conclusion::ConformityNotShown;
 
   [[nodiscard]] PointScatter& scatter(PointKind kind) { return scatters[static_cast<std::size_t>(kind)]; }
 };
 
-/// Notes that evidence is missing: "`text` [certificate_lapsed]" among what is missing, or where the specification
-/// waives it, among what is waived. The same text is noted once.
+/// Notes that evidence is missing, among what is missing or, where the specification waives it, among what is waived.
+/// The same text is noted once.
 void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
                     const std::string& text);
 

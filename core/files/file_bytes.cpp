@@ -40,7 +40,9 @@ Expected<FileBytes> read_file_bytes(const std::filesystem::path& path, std::size
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    return bad_input("there is no such file; " + what_is_wrong_with(path), name);
+    const std::string found = "there is no such file";
+    return tl::unexpected(Error{ErrorCode::BadInput, fmt::format("{}; {}", found, what_is_wrong_with(path)), name,
+                                ErrorKind::MissingFile, found});
   }
   if (!std::filesystem::is_regular_file(status)) {
     return bad_input(std::filesystem::is_directory(status)

@@ -44,7 +44,7 @@ class Predictor {
     const FeatureConstraint& feature = placement_.features[index];
     Combination combination{feature.readings, {}};
     const int count = feature.size();
-    if (feature.kind != ConstraintKind::OnBall && feature.kind != ConstraintKind::AtDistance) {
+    if (!feature.has_centre()) {
       combination.gradients.assign(static_cast<std::size_t>(count), direction / count);
       return combination;
     }
@@ -100,9 +100,7 @@ class Predictor {
   std::vector<Eigen::Index> first_;  ///< reading of each feature, among all of the evaluation
 };
 
-bool is_place(const FeatureConstraint& feature) {
-  return feature.kind == ConstraintKind::OnBall || feature.kind == ConstraintKind::Coincide;
-}
+bool is_place(const FeatureConstraint& feature) { return feature.is<OnBall>() || feature.is<Coincide>(); }
 
 void add_lengths(const Constraints& placement, const Evaluation& evaluation, const Predictor& predictor,
                  std::vector<CheckedPrediction>& predictions) {
@@ -123,7 +121,7 @@ void add_patterns(const Constraints& placement, const Evaluation& evaluation, co
   for (int f = 0; f < static_cast<int>(placement.features.size()); ++f) {
     const FeatureConstraint& feature = placement.features[f];
     if (feature.location == Location::Posed && is_place(feature) && !feature.known.empty()) {
-      by_group[feature.group].push_back(f);
+      by_group[*feature.group].push_back(f);
     }
   }
   const auto certified = [&](int feature) { return placement.features[feature].known.front(); };
@@ -151,7 +149,7 @@ void add_coordinates(const Constraints& placement, const Evaluation& evaluation,
                      std::vector<CheckedPrediction>& predictions) {
   for (int f = 0; f < static_cast<int>(placement.features.size()); ++f) {
     const FeatureConstraint& feature = placement.features[f];
-    if (feature.location != Location::Base || feature.kind != ConstraintKind::Coincide) {
+    if (feature.location != Location::Base || !feature.is<Coincide>()) {
       continue;
     }
     for (int k = 0; k < feature.size(); ++k) {

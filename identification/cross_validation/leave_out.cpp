@@ -27,6 +27,11 @@ std::vector<Place> places_read(const Constraints& constraints) {
   return places;
 }
 
+void refuse(LeftOut& result, const Error& error) {
+  result.refusal = error.text();
+  result.refusal_kind = error.kind;
+}
+
 // `system` is of all readings, whose sines do not depend on the arm; what else it holds changes.
 LeftOut leave_out(System& system, const Recording& recording, const Constraints& constraints, const Place& place,
                   const LeavingOut& leaving_out) {
@@ -40,7 +45,7 @@ LeftOut leave_out(System& system, const Recording& recording, const Constraints&
   const auto without = refit ? Expected<ArmWithout>(std::move(*refit))
                              : leaving_out.identify(without_features(constraints, is_in_place));
   if (!without) {
-    result.refusal = without.error().text();
+    refuse(result, without.error());
     return result;
   }
   is_in_place.flip();
@@ -51,7 +56,7 @@ LeftOut leave_out(System& system, const Recording& recording, const Constraints&
   system.scale.resize(0);
   const auto judged = evaluate(system, recording);
   if (!judged) {
-    result.refusal = judged.error().text();
+    refuse(result, judged.error());
     return result;
   }
   result.deviation = judged->placements.front();
@@ -61,8 +66,9 @@ LeftOut leave_out(System& system, const Recording& recording, const Constraints&
     const FeatureDeviation& deviation = judged->features[f];
     result.squares += deviation.readings * deviation.rms * deviation.rms;
     result.degrees_of_freedom += placement.features[f].size() * placement.features[f].dimension();
-    if (placement.features[f].group >= 0 && groups.insert(placement.features[f].group).second) {
-      result.degrees_of_freedom -= placement.groups[placement.features[f].group].size;
+    const auto group = placement.features[f].group;
+    if (group && groups.insert(*group).second) {
+      result.degrees_of_freedom -= placement.groups[*group].size;
     }
   }
   if (without->sources.covariance.size() > 0) {

@@ -39,15 +39,11 @@ struct Sum {
 
 Eigen::Vector3d certified_point(const FeatureConstraint& feature, const Unknowns& unknowns) {
   switch (feature.location) {
-    case Location::Unknown: return unknowns.groups[feature.group].values.segment<3>(feature.offset);
-    case Location::Posed: return base_from_artefact(unknowns.groups[feature.group]) * feature.known.front();
+    case Location::Unknown: return state_of(feature, unknowns).values.segment<3>(feature.offset);
+    case Location::Posed: return base_from_artefact(state_of(feature, unknowns)) * feature.known.front();
     case Location::Base: break;
   }
   return feature.known.front();
-}
-
-bool has_centre(const FeatureConstraint& feature) {
-  return feature.kind == ConstraintKind::OnBall || feature.kind == ConstraintKind::AtDistance;
 }
 
 /// Where an arm has one feature by its own readings alone, whatever its artefact says of the others.
@@ -59,12 +55,12 @@ struct Measured {
 Measured measure(const Tips& tips, const Unknowns& unknowns) {
   const FeatureConstraint& feature = *tips.feature;
   Measured measured{tips.centres.rowwise().mean(), 0.0};
-  if (feature.kind == ConstraintKind::OnPlane && feature.location == Location::Unknown) {
-    const GroupState& group = unknowns.groups[feature.group];
+  if (feature.is<OnPlane>() && feature.location == Location::Unknown) {
+    const GroupState& group = state_of(feature, unknowns);
     const PlaneAxis axis(group.reference, group.values.data());
-    const double side = feature.facing != 0.0 ? feature.facing : group.reference.sides[feature.offset - 2];
+    const double side = side_of(feature, group.reference);
     measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
-  } else if (has_centre(feature)) {
+  } else if (feature.has_centre()) {
     // Readings that do not determine a centre leave it where the artefact has it.
     measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))
                                  .value_or(certified_point(feature, unknowns));
@@ -75,7 +71,7 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
 // Variance, per variance of a reading, of a feature's point along a direction: of a centre by the normal equations of
 // |P − c| = ρ, which readings on a small cap hardly determine; of a point or a plane by its mean.
 double variance_of_point(const Tips& tips, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
-  if (!has_centre(*tips.feature)) {
+  if (!tips.feature->has_centre()) {
     return 1.0 / tips.feature->size();
   }
   Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
@@ -86,9 +82,8 @@ double variance_of_point(const Tips& tips, const Eigen::Vector3d& point, const E
   return direction.dot(normal.ldlt().solve(direction));
 }
 
-double length_between(const Measured& from, const Measured& to, ConstraintKind kind) {
-  return kind == ConstraintKind::OnPlane ? std::abs(to.height - from.height)
-                                         : (to.point_in_base - from.point_in_base).norm();
+double length_between(const Measured& from, const Measured& to, bool planes) {
+  return planes ? std::abs(to.height - from.height) : (to.point_in_base - from.point_in_base).norm();
 }
 
 }  // namespace
@@ -113,8 +108,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
   std::vector<Eigen::Vector3d> certified;
   for (const Tips& tips : all) {
     const FeatureConstraint& feature = *tips.feature;
-    const GroupState none;
-    const GroupState& group = feature.group < 0 ? none : unknowns->groups[feature.group];
+    const GroupState& group = state_of(feature, *unknowns);
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns->shared.data());
     Sum sum;
     for (int k = 0; k < feature.size(); ++k) {
@@ -127,7 +121,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
     }
     measured.push_back(measure(tips, *unknowns));
     evaluation.points.push_back(measured.back().point_in_base);
-    certified.push_back(has_centre(feature) ? certified_point(feature, *unknowns) : evaluation.points.back());
+    certified.push_back(feature.has_centre() ? certified_point(feature, *unknowns) : evaluation.points.back());
     evaluation.features.push_back(sum.named(name_of(feature, constraints, recording)));
     placements[{feature.artefact, feature.placement}].add(sum);
     artefacts[feature.artefact].add(sum);
@@ -148,7 +142,7 @@ Expected<Evaluation> evaluate(const System& system, const Recording& recording) 
   for (const auto& distance : constraints.distances) {
     const FeatureConstraint& first = constraints.features[distance.first];
     const FeatureConstraint& second = constraints.features[distance.second];
-    const double length = length_between(measured[distance.first], measured[distance.second], first.kind);
+    const double length = length_between(measured[distance.first], measured[distance.second], first.is<OnPlane>());
     const Eigen::Vector3d along =
         (measured[distance.second].point_in_base - measured[distance.first].point_in_base).normalized();
     double variance = 0.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,6 +18,11 @@ namespace {
 
 constexpr double a_slip = 0.3;  // mm; what stands out by more is worth a warning
 constexpr std::size_t max_readings_named = 5;
+constexpr std::string_view opening = "no arm fits these readings: ";
+// What to do where nothing points to a cause.
+constexpr std::string_view general_advice =
+    "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
+    "order, signs and units of the arm's file; --model auto searches for unmodelled errors";
 
 }  // namespace
 
@@ -112,28 +119,34 @@ std::string warning_of_weak_prior(const std::vector<std::string>& names, std::si
 }
 
 Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where) {
-  std::string found = fmt::format("no arm fits these readings: {} ({} initial alignment{} tried). ",
-                                  fmt::join(misfits, "; "), attempts, attempts == 1 ? "" : "s");
+  std::string found = fmt::format("{}{} ({} initial alignment{} tried)", opening, fmt::join(misfits, "; "), attempts,
+                                  attempts == 1 ? "" : "s");
+  std::string advice;
   if (!where.empty()) {
     const std::size_t shown = std::min(where.size(), max_readings_named);
     found += fmt::format(
-        "An arm fits all but {} reading{}: {}{}. Correct or remove {}. --loss cauchy identifies without "
+        ". An arm fits all but {} reading{}: {}{}. Correct or remove {}. --loss cauchy identifies without "
         "{}",
         where.size(), where.size() == 1 ? "" : "s",
         fmt::join(where.begin(), where.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
         shown < where.size() ? ", …" : "", where.size() == 1 ? "it" : "them", where.size() == 1 ? "it" : "them");
   } else {
-    found += general_advice;
+    advice = fmt::format(". {}", general_advice);
   }
-  return {ErrorCode::NoSolution, found + "; --accept-misfit writes the arm all the same", {}};
+  std::string message = fmt::format("{}{}; --accept-misfit writes the arm all the same", found, advice);
+  std::string reason = misfits.size() > 1 ? misfits.front() : found.substr(opening.size());
+  return {ErrorCode::NoSolution, std::move(message), {}, ErrorKind::Misfit, std::move(found), std::move(reason)};
 }
 
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start) {
   const auto evaluation = evaluate(recording, constraints, start);
   if (const auto strange = evaluation ? implausible_feature_text(*evaluation, another_place) : std::nullopt) {
-    error.message = "no arm fits these readings: " + *strange + "; " + error.message;
+    error.message = fmt::format("{}{}; {}", opening, *strange, error.message);
+    error.kind = ErrorKind::Misfit;
+    error.reason = *strange;
   } else if (const auto gross = evaluation ? grossly_different_length(*evaluation) : std::nullopt) {
     error.message = *gross + "; " + error.message;
+    error.reason = *gross;
   }
   return error;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "identification/evaluation/goodness_of_fit.h"
@@ -22,16 +21,13 @@ std::vector<std::string> suspicions(const Identification& result, double length)
 /// What to say of parameters with a weak prior, of so many identified ones; empty where there are none.
 std::string warning_of_weak_prior(const std::vector<std::string>& names, std::size_t identified);
 
-/// What misfit_error() advises where nothing points to a cause.
-inline constexpr std::string_view general_advice =
-    "Look for readings under another feature's name, a wrong certified value, a wrong radius of the tip, and joint "
-    "order, signs and units of the arm's file; --model auto searches for unmodelled errors";
-
 /// Why a fit with misfits (identification/evaluation/misfit.h) is refused: what they are, which readings are outliers
 /// of an arm that fits all others (where there is such an arm), what to do. `where` names the places of these readings.
+/// ErrorKind::Misfit; Error::found is the message without general advice, Error::reason the first misfit.
 Error misfit_error(const std::vector<std::string>& misfits, int attempts, const std::vector<std::string>& where = {});
 
-/// What was wrong with a fit that failed, where the arm that it began with shows it.
+/// What was wrong with a fit that failed, where the arm that it began with shows it: the error's reason, and a misfit
+/// where it is an implausible feature.
 Error with_reason(Error error, const Recording& recording, const Constraints& constraints, const Arm& start);
 
 }  // namespace artcal

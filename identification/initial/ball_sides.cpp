@@ -14,10 +14,6 @@ namespace {
 constexpr double decisive = 30.0;
 constexpr int unknowns_of_a_centre = 3;
 
-bool reads_ball(const Tips& tips) {
-  return tips.feature->kind == ConstraintKind::OnBall || tips.feature->kind == ConstraintKind::AtDistance;
-}
-
 double squares(const Tips& tips, const Eigen::VectorXd& rho, const Eigen::Vector3d& centre) {
   return ((tips.centres.colwise() - centre).colwise().norm().transpose() - rho).squaredNorm();
 }
@@ -26,7 +22,7 @@ double usual_variance(const std::vector<Tips>& tips, const Eigen::VectorXd& shar
                       const std::vector<Eigen::Vector3d>& centres) {
   std::vector<double> variances;
   for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (const int spare = tips[i].feature->size() - unknowns_of_a_centre; reads_ball(tips[i]) && spare > 0) {
+    if (const int spare = tips[i].feature->size() - unknowns_of_a_centre; tips[i].feature->has_centre() && spare > 0) {
       variances.push_back(squares(tips[i], distances_from_centre(tips[i], shared), centres[i]) / spare);
     }
   }
@@ -52,7 +48,7 @@ void choose_sides(const Constraints& constraints, const std::vector<Tips>& tips,
                   const std::vector<Eigen::Vector3d>& certified, std::vector<Eigen::Vector3d>& centres) {
   const double slack = decisive * usual_variance(tips, unknowns.shared, centres);
   for (std::size_t i = 0; i < tips.size(); ++i) {
-    if (!reads_ball(tips[i])) {
+    if (!tips[i].feature->has_centre()) {
       continue;
     }
     const Eigen::VectorXd rho = distances_from_centre(tips[i], unknowns.shared);

@@ -13,21 +13,20 @@ namespace {
 constexpr double centre_scatter = 0.5;
 constexpr double ball_of_unknown_size = 12.7;  // mm
 
-bool touches_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
-
 }  // namespace
 
-double distance_to_centre(const FeatureConstraint& ball, double tip_radius) {
-  return tip_radius + (ball.radius > 0.0 ? ball.radius : ball_of_unknown_size);
+double distance_to_centre(const OnBall& ball, double tip_radius) {
+  return tip_radius + ball.radius.value_or(ball_of_unknown_size);
 }
 
 void lengthen_to_centres(const Constraints& constraints, System& system) {
   std::map<std::pair<int, double>, int> made;
   for (const FeatureConstraint& feature : constraints.features) {
-    for (int k = 0; touches_ball(feature) && k < feature.size(); ++k) {
+    const auto* ball = feature.as<OnBall>();
+    for (int k = 0; ball != nullptr && k < feature.size(); ++k) {
       int& probe = system.probes[feature.readings[k]];
       auto& probes = system.start.probes;
-      const double beyond = distance_to_centre(feature, probes[probe].radius);
+      const double beyond = distance_to_centre(*ball, probes[probe].radius);
       const auto [entry, is_new] = made.try_emplace({probe, beyond}, static_cast<int>(probes.size()));
       if (is_new) {
         Probe longer = probes[probe];
@@ -44,7 +43,8 @@ void lengthen_to_centres(const Constraints& constraints, System& system) {
 double centre_deviation(const Constraints& constraints, const Arm& arm) {
   double largest = 0.0;
   for (const FeatureConstraint& feature : constraints.features) {
-    largest = std::max(largest, touches_ball(feature) ? distance_to_centre(feature, arm.probes.front().radius) : 0.0);
+    const auto* ball = feature.as<OnBall>();
+    largest = std::max(largest, ball != nullptr ? distance_to_centre(*ball, arm.probes.front().radius) : 0.0);
   }
   return std::max(1.0, centre_scatter * largest);
 }

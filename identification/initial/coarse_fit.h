@@ -6,7 +6,7 @@ namespace artcal {
 
 /// Radius of a ball and of the tip that touches it, mm: how far the tip is from the ball's centre. A ball of unknown
 /// radius counts as one of 12.7 mm.
-double distance_to_centre(const FeatureConstraint& ball, double tip_radius);
+double distance_to_centre(const OnBall& ball, double tip_radius);
 
 /// Gives each ball's readings a probe so long that its tip is at the ball's centre if the stylus points there.
 /// `constraints` have the balls that are points (balls_as_points()) in those of `system`.

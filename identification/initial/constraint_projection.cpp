@@ -22,15 +22,15 @@ Eigen::Vector3d nearest(const FeatureResidual& residual, int reading, const Forw
 }  // namespace
 
 bool needs_moving(const FeatureConstraint& feature, const Constraints& constraints) {
-  if (feature.kind == ConstraintKind::OnPlane ||
-      (feature.kind == ConstraintKind::Coincide && feature.location == Location::Unknown)) {
+  if (feature.is<OnPlane>() || (feature.is<Coincide>() && feature.location == Location::Unknown)) {
     return true;
   }
   // Beside a turn that is not among the unknowns, a motion of the base would turn the residuals.
-  if (feature.group >= 0 && constraints.groups[feature.group].turn == PoseTurn::Unseen) {
+  if (feature.group && constraints.groups[*feature.group].turn == PoseTurn::Unseen) {
     return true;
   }
-  return feature.shared_radius >= 0 && constraints.shared[feature.shared_radius].u == 0.0;
+  const auto radius = feature.shared_radius();
+  return radius && constraints.shared[*radius].u == 0.0;
 }
 
 int project_onto_constraints(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns) {
@@ -41,8 +41,7 @@ int project_onto_constraints(System& system, const Recording& recording, const A
     if (!needs_moving(feature, *system.constraints)) {
       continue;
     }
-    const GroupState none;
-    const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+    const GroupState& group = state_of(feature, unknowns);
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];

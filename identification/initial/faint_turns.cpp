@@ -15,6 +15,10 @@ constexpr double lower = 1e-9;
 
 bool is_faint(const UnknownGroup& group) { return group.line && group.turn == PoseTurn::Free; }
 
+bool has_faint_turns(const Constraints& constraints) {
+  return std::any_of(constraints.groups.begin(), constraints.groups.end(), is_faint);
+}
+
 // Takes over the poses of `estimated` that fit better. True if there was one.
 bool correct_turns(const System& system, const Weights& weights, Loss loss, const Arm& arm, const Unknowns& estimated,
                    Unknowns& unknowns) {
@@ -87,16 +91,18 @@ std::optional<Solution> start_from_scaled(const System& system, const Recording&
 
 }  // namespace
 
-Solution solve_with_turns(const System& system, const Recording& recording, const Weights& weights,
-                          const Eigen::VectorXd& x_start, const Unknowns& start, const SolveOptions& options) {
-  const auto& groups = system.constraints->groups;
-  if (std::none_of(groups.begin(), groups.end(), is_faint)) {
-    return solve(system, weights, x_start, start, options);
-  }
-  // Along turns that readings hardly see, steps are small against the way.
+SolveOptions patient_options(const Constraints& constraints, const SolveOptions& options) {
   SolveOptions patient = options;
-  patient.max_iterations *= 20;
-  Solution solution = solve(system, weights, x_start, start, patient);
+  patient.max_iterations *= has_faint_turns(constraints) ? 20 : 1;
+  return patient;
+}
+
+Solution with_corrected_turns(Solution solution, const System& system, const Recording& recording,
+                              const Weights& weights, const Eigen::VectorXd& x_start, const SolveOptions& options) {
+  if (!has_faint_turns(*system.constraints)) {
+    return solution;
+  }
+  const SolveOptions patient = patient_options(*system.constraints, options);
   solution = solve_and_correct(system, recording, weights, std::move(solution), patient);
   if (auto scaled = start_from_scaled(system, recording, weights, x_start, options)) {
     Solution other = solve(system, weights, scaled->x, std::move(scaled->unknowns), patient);

@@ -24,12 +24,11 @@ constexpr double firmly = 1e4;  // times a prior's weight: what it is on stays
 // wrong side.
 constexpr double narrowing[] = {3.0, 3.0, 1.0, 1.0, 0.3, 0.3, 0.3};
 
-bool is_ball(const FeatureConstraint& feature) { return feature.kind == ConstraintKind::OnBall; }
+bool is_ball(const FeatureConstraint& feature) { return feature.is<OnBall>(); }
 
 double rms_of(const Tips& tips, const Unknowns& unknowns) {
   const FeatureConstraint& feature = *tips.feature;
-  const GroupState none;
-  const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+  const GroupState& group = state_of(feature, unknowns);
   const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
   double squares = 0.0;
   for (int k = 0; k < feature.size(); ++k) {
@@ -41,7 +40,8 @@ double rms_of(const Tips& tips, const Unknowns& unknowns) {
 
 bool all_round(const std::vector<Tips>& tips, const Unknowns& unknowns) {
   return std::all_of(tips.begin(), tips.end(), [&](const Tips& own) {
-    return !is_ball(*own.feature) || rms_of(own, unknowns) < round_enough * (own.feature->radius + own.radii[0]);
+    const auto* ball = own.feature->as<OnBall>();
+    return ball == nullptr || rms_of(own, unknowns) < round_enough * (ball->radius.value_or(0.0) + own.radii[0]);
   });
 }
 

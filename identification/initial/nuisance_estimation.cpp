@@ -32,7 +32,7 @@ void estimate_radii(const std::vector<Tips>& balls, const Constraints& constrain
     double sum = 0.0;
     int count = 0;
     for (const Tips& tips : balls) {
-      if (tips.feature->shared_radius != s || constraints.shared[s].u > 0.0) {
+      if (tips.feature->shared_radius() != s || constraints.shared[s].u > 0.0) {
         continue;
       }
       if (const auto ball = ball_touched_at(tips.centres, tips.radii)) {
@@ -77,11 +77,11 @@ Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm&
   std::vector<Tips> balls;
   std::vector<std::vector<Tips>> by_group(constraints.groups.size());
   for (const Tips& of_feature : tips) {
-    if (of_feature.feature->shared_radius >= 0) {
+    if (of_feature.feature->shared_radius()) {
       balls.push_back(of_feature);
     }
-    if (of_feature.feature->group >= 0) {
-      by_group[of_feature.feature->group].push_back(of_feature);
+    if (of_feature.feature->group) {
+      by_group[*of_feature.feature->group].push_back(of_feature);
     }
   }
   Unknowns unknowns;
@@ -109,7 +109,7 @@ Expected<Unknowns> estimate_nuisance_parameters(const System& system, const Arm&
     group.values = Eigen::VectorXd::Zero(constraints.groups[i].size);
     for (const Tips& own : by_group[i]) {
       const FeatureConstraint& feature = *own.feature;
-      const auto centre = feature.kind == ConstraintKind::Coincide
+      const auto centre = feature.is<Coincide>()
                               ? std::optional<Eigen::Vector3d>(own.centres.rowwise().mean())
                               : point_at_distances(own.centres, distances_from_centre(own, unknowns.shared));
       if (!centre) {

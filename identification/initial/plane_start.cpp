@@ -86,6 +86,13 @@ struct Sides {
 using BothSides = std::array<Placed, 2>;
 const Placed& on(const BothSides& plane, double side) { return plane[side > 0.0 ? 1 : 0]; }
 
+// Of two planes' outward normals; 0 where one of them is not certified.
+double cosine_between(const Tips& first, const Tips& second) {
+  const auto& one = first.feature->as<OnPlane>()->normal;
+  const auto& other = second.feature->as<OnPlane>()->normal;
+  return one && other ? one->dot(*other) : 0.0;
+}
+
 // From the first plane's side to those of the others, along the certified distances.
 Sides spread(double first_side, const std::vector<Tips>& planes, const std::vector<BothSides>& places,
              const std::vector<Between>& distances) {
@@ -95,7 +102,7 @@ Sides spread(double first_side, const std::vector<Tips>& planes, const std::vect
     if (sides.of[from] == 0.0 || sides.of[to] != 0.0) {
       return false;
     }
-    const double cosine = planes[from].feature->normal.dot(planes[to].feature->normal);
+    const double cosine = cosine_between(planes[from], planes[to]);
     double least = std::numeric_limits<double>::infinity();
     for (const double side : {1.0, -1.0}) {
       if (cosine * side * sides.of[from] < 0.0) {
@@ -141,7 +148,7 @@ bool tells_sides(const Between& between, const std::vector<Tips>& planes, const 
                  const Sides& sides) {
   const Tips& first = planes[between.first];
   const Tips& second = planes[between.second];
-  const double cosine = first.feature->normal.dot(second.feature->normal);
+  const double cosine = cosine_between(first, second);
   const double diameter = first.radii.mean() + second.radii.mean();
   if (cosine > 0.0 || diameter == 0.0) {
     return true;  // the same way: the tip's radius does not enter
@@ -164,9 +171,10 @@ std::optional<Eigen::Vector3d> gauge_axis(const std::vector<Tips>& faces, const 
   Eigen::VectorXd b(rows);
   Eigen::Index row = 0;
   for (const Tips& face : faces) {
+    const GaugeFace& certified = *face.feature->face();
     for (Eigen::Index k = 0; k < face.centres.cols(); ++k, ++row) {
       a.row(row) << (face.centres.col(k) - origin).transpose(), -1.0;
-      b[row] = face.feature->height + face.feature->facing * face.radii[k];
+      b[row] = certified.height + certified.facing * face.radii[k];
     }
   }
   const Eigen::Vector3d axis = a.colPivHouseholderQr().solve(b).head<3>();
@@ -199,10 +207,11 @@ void estimate_gauge(const std::vector<Tips>& faces, GroupState& group) {
   for (const Eigen::Matrix3d& rotation : {group.reference.rotation, turned}) {
     std::vector<double> places;
     for (const Tips& face : faces) {
+      const GaugeFace& certified = *face.feature->face();
       const Eigen::RowVectorXd heights =
           rotation.col(2).transpose() * (face.centres.colwise() - group.reference.origin);
       for (Eigen::Index k = 0; k < heights.size(); ++k) {
-        places.push_back(heights[k] - face.feature->height - face.feature->facing * face.radii[k]);
+        places.push_back(heights[k] - certified.height - certified.facing * face.radii[k]);
       }
     }
     const auto all = Eigen::ArrayXd::Map(places.data(), static_cast<Eigen::Index>(places.size()));
@@ -237,7 +246,7 @@ Expected<GroupState> estimate_planes(const std::vector<Tips>& planes, const Cons
     squares += (plane.centres.colwise() - group.reference.origin).squaredNorm();
   }
   group.reference.size = std::sqrt(squares / static_cast<double>(count));
-  const bool is_gauge = planes.front().feature->facing != 0.0;
+  const bool is_gauge = planes.front().feature->face() != nullptr;
   const auto by_heights = is_gauge ? gauge_axis(planes, group.reference.origin) : std::nullopt;
   const Eigen::Vector3d axis = by_heights.value_or(eigen.eigenvectors().col(0));
   const Eigen::Vector3d across = by_heights ? axis.unitOrthogonal() : Eigen::Vector3d(eigen.eigenvectors().col(2));

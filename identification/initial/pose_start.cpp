@@ -38,12 +38,12 @@ Matches matches_of(const std::vector<Tips>& features, const Eigen::VectorXd& sha
   Matches planes;
   for (const Tips& tips : features) {
     const FeatureConstraint& feature = *tips.feature;
-    if (feature.kind == ConstraintKind::Coincide) {
+    if (feature.is<Coincide>()) {
       for (int k = 0; k < feature.size(); ++k) {
         points.add(feature.known[k], tips.centres.col(k));
       }
-    } else if (feature.kind == ConstraintKind::OnPlane) {
-      planes.add(feature.known.front() + tips.radii.mean() * feature.normal, tips.centres.rowwise().mean());
+    } else if (const auto* plane = feature.as<OnPlane>()) {
+      planes.add(feature.known.front() + tips.radii.mean() * *plane->normal, tips.centres.rowwise().mean());
     } else if (const auto centre = point_at_distances(tips.centres, distances_from_centre(tips, shared))) {
       points.add(feature.known.front(), *centre);
     }

@@ -35,15 +35,15 @@ bool is_another_arm(const Arm& nominal, const Arm& found) {
 }
 
 bool is_misfit(const Error& error) {
-  return error.message.find("no arm fits") != std::string::npos ||
-         error.message.find("did not converge") != std::string::npos;
+  return error.code == ErrorCode::NoSolution &&
+         (error.kind == ErrorKind::Misfit || error.kind == ErrorKind::NoConvergence);
 }
 
 AsWritten fit_as_written(const Recording& recording, const Constraints& constraints, const IdentifyOptions& options) {
   const auto estimate = search_solution(recording, constraints, for_trial(options));
   if (!estimate) {
     const bool gross = discrepancy({recording, constraints}, recording.arm) > gross_by_reach * reach(recording.arm);
-    const bool misfit = estimate.error().code == ErrorCode::NoSolution && (is_misfit(estimate.error()) || gross);
+    const bool misfit = is_misfit(estimate.error()) || (estimate.error().code == ErrorCode::NoSolution && gross);
     return {misfit ? std::numeric_limits<double>::infinity() : 0.0, misfit, std::nullopt};
   }
   const bool misfit = !estimate->misfits.empty();

@@ -27,8 +27,8 @@ double dilution_of_known_radius(const Eigen::Matrix3Xd& directions) {
   return least > singular_determinant ? 1.0 / std::sqrt(least) : std::numeric_limits<double>::infinity();
 }
 
-double dilution_of(const FeatureConstraint& feature, const Eigen::Matrix3Xd& directions) {
-  if (feature.radius > 0.0 || feature.shared_radius < 0) {
+double dilution_of(const OnBall& ball, const Eigen::Matrix3Xd& directions) {
+  if (ball.radius || !ball.shared_radius) {
     return dilution_of_known_radius(directions);
   }
   std::vector<Eigen::Vector3d> all;
@@ -61,7 +61,8 @@ Findings find_undetermined_centres(const Recording& recording, const Constraints
     const FeatureConstraint& feature = constraints.features[f];
     const std::size_t begin = first;
     first += feature.readings.size();
-    if (feature.kind != ConstraintKind::OnBall || feature.location != Location::Unknown || feature.size() < 4) {
+    const auto* ball = feature.as<OnBall>();
+    if (ball == nullptr || feature.location != Location::Unknown || feature.size() < 4) {
       continue;
     }
     Eigen::Matrix3Xd directions(3, feature.size());
@@ -69,7 +70,7 @@ Findings find_undetermined_centres(const Recording& recording, const Constraints
       directions.col(k) = (nominal.tips[begin + static_cast<std::size_t>(k)] - nominal.points[f]).normalized();
     }
     const FeatureName name = name_of(feature, constraints, recording);
-    const double dilution = dilution_of(feature, directions);
+    const double dilution = dilution_of(*ball, directions);
     const bool circle = on_one_circle(directions);
     if (!circle && dilution <= max_centre_dilution) {
       continue;

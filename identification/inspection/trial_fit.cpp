@@ -32,8 +32,9 @@ std::optional<double> left_by_few_iterations(const Bound& bound, const Preparati
     return std::nullopt;
   }
   const Weights weights = unit_weights(bound.constraints);
-  const Solution solution =
-      solve_with_turns(system, bound.recording, weights, Eigen::VectorXd::Zero(system.arm_size()), *unknowns, few);
+  const Eigen::VectorXd start = Eigen::VectorXd::Zero(system.arm_size());
+  Solution solution = solve(system, weights, start, *unknowns, patient_options(bound.constraints, few));
+  solution = with_corrected_turns(std::move(solution), system, bound.recording, weights, start, few);
   if (solution.termination == Termination::Failed) {
     return std::nullopt;
   }

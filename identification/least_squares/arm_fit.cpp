@@ -56,7 +56,7 @@ Expected<ArmFit> at_minimum(const System& system, Eigen::VectorXd x, const Solve
       return fit;
     }
     if (restart == max_restarts) {
-      return no_solution(
+      return no_convergence(
           fmt::format("the estimation did not converge: it ended where a linear step would still lower the residuals' "
                       "root mean square by {:.2g} %. Check whether parameters of the arm describe the same motion, as "
                       "d of nearly parallel axes do",
@@ -64,7 +64,7 @@ Expected<ArmFit> at_minimum(const System& system, Eigen::VectorXd x, const Solve
     }
     Solution solution = solve(system, fit.weights, x, fit.unknowns, options);
     if (solution.termination == Termination::Failed) {
-      return no_solution(fmt::format("the estimation did not converge ({})", solution.message));
+      return no_convergence(fmt::format("the estimation did not converge ({})", solution.message));
     }
     take_solution(std::move(solution), system, x, fit);
   }
@@ -142,10 +142,11 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
     SolveOptions round{first_loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
     put_prior(prior, system, round);
-    Solution solution = solve_with_turns(system, recording, fit.weights, x, fit.unknowns, round);
+    Solution solution = solve(system, fit.weights, x, fit.unknowns, patient_options(constraints, round));
+    solution = with_corrected_turns(std::move(solution), system, recording, fit.weights, x, round);
     const bool is_usable = options.loss != Loss::None && solution.termination == Termination::NoConvergence;
     if (solution.termination != Termination::Converged && !is_usable) {
-      return no_solution("the estimation did not converge to an arm");
+      return no_convergence("the estimation did not converge to an arm");
     }
     take_solution(std::move(solution), system, x, fit);
     fit.loss_weights = loss_weights(constraints, fit.weights, round.loss, fit.residuals);

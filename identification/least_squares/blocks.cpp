@@ -37,22 +37,23 @@ std::vector<Block> blocks_of(const Constraints& constraints) {
   std::map<std::pair<int, int>, std::size_t> index;  // group, first parameter
   for (int f = 0; f < static_cast<int>(constraints.features.size()); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    auto& blocks = of_group[feature.group + 1];
-    const int entry = feature.first_error >= 0 ? feature.first_error : feature.shared_radius;
-    if (entry < 0) {
+    const int group = feature.group.value_or(-1);
+    auto& blocks = of_group[group + 1];
+    const auto entry = feature.first_error ? feature.first_error : feature.shared_radius();
+    if (!entry) {
       blocks.front().features.push_back(f);
       continue;
     }
-    const auto [place, is_new] = index.try_emplace({feature.group, parameters[entry].first}, blocks.size());
+    const auto [place, is_new] = index.try_emplace({group, parameters[*entry].first}, blocks.size());
     if (is_new) {
-      blocks.push_back({feature.group, blocks.front().unknowns, parameters[entry]});
+      blocks.push_back({group, blocks.front().unknowns, parameters[*entry]});
     }
     blocks[place->second].features.push_back(f);
   }
   for (int d = 0; d < static_cast<int>(constraints.distances.size()); ++d) {
     const DistanceConstraint& distance = constraints.distances[d];
     if (distance.binds) {
-      of_group[constraints.features[distance.first].group + 1].front().distances.push_back(d);
+      of_group[*constraints.features[distance.first].group + 1].front().distances.push_back(d);
     }
   }
   std::vector<Block> all;

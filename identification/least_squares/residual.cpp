@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/cross_matrix.h"
+#include "identification/problem/tips.h"
 
 namespace artcal {
 namespace {
@@ -49,15 +50,27 @@ PlaneAxis::PlaneAxis(const GroupReference& reference, const double* group_values
   by_tilts = across * reference.rotation.leftCols<2>() / (length * reference.size);
 }
 
+double side_of(const FeatureConstraint& plane, const GroupReference& reference) {
+  const GaugeFace* face = plane.face();
+  return face != nullptr ? face->facing : reference.sides[plane.offset - 2];
+}
+
 FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const GroupReference& reference,
                                  const double* group_values, const double* shared)
-    : constraint_(constraint) {
-  if (constraint.location == Location::Unknown && constraint.kind == ConstraintKind::OnPlane) {
+    : constraint_(constraint),
+      is_point_(constraint.is<Coincide>()),
+      is_unknown_plane_(constraint.location == Location::Unknown && constraint.is<OnPlane>()),
+      plane_(constraint.as<OnPlane>()),
+      lengths_(constraint.as<AtDistance>()) {
+  if (plane_ != nullptr && plane_->normal) {
+    normal_ = *plane_->normal;
+  }
+  if (is_unknown_plane_) {
     columns_ = 3;
     column_[2] = constraint.offset;
     axis_ = PlaneAxis(reference, group_values);
-    place_ = group_values[constraint.offset] + constraint.height;
-    side_ = constraint.facing != 0.0 ? constraint.facing : reference.sides[constraint.offset - 2];
+    place_ = group_values[constraint.offset] + (plane_->face ? plane_->face->height : 0.0);
+    side_ = side_of(constraint, reference);
   } else if (constraint.location == Location::Unknown) {
     columns_ = 3;
     column_ = {constraint.offset, constraint.offset + 1, constraint.offset + 2};
@@ -81,11 +94,12 @@ FeatureResidual::FeatureResidual(const FeatureConstraint& constraint, const Grou
       displacement_ << group_values[5], -group_values[6], group_values[6], group_values[5];
     }
   }
-  if (constraint.first_error >= 0) {
-    error_ = constraint.expansion * Eigen::Vector3d::Map(shared + constraint.first_error);
+  if (constraint.first_error) {
+    error_ = constraint.expansion * Eigen::Vector3d::Map(shared + *constraint.first_error);
   }
-  ball_radius_ =
-      constraint.shared_radius >= 0 ? constraint.expansion * shared[constraint.shared_radius] : constraint.radius;
+  if (const auto* ball = constraint.as<OnBall>()) {
+    ball_radius_ = radius_of(*ball, constraint.expansion, shared);
+  }
 }
 
 Eigen::Vector3d FeatureResidual::certified_point(int reading) const {
@@ -103,9 +117,9 @@ Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, d
   r.rows = 1;
   const Eigen::Vector3d from_origin = tip_in_base - axis_.origin;
   r.value[0] = side_ * (axis_.direction.dot(from_origin) - place_) - tip_radius;
-  if (constraint_.first_error >= 0) {
-    r.value[0] -= constraint_.normal.dot(error_);
-    r.by_errors.row(0) = -constraint_.expansion * constraint_.normal.transpose();
+  if (constraint_.first_error) {
+    r.value[0] -= normal_.dot(error_);
+    r.by_errors.row(0) = -constraint_.expansion * normal_.transpose();
   }
   r.by_tip.row(0) = side_ * axis_.direction.transpose();
   r.by_unknowns.row(0).head<2>() = side_ * from_origin.transpose() * axis_.by_tilts;
@@ -116,11 +130,11 @@ Residual FeatureResidual::at_unknown_plane(const Eigen::Vector3d& tip_in_base, d
 
 Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, double tip_radius,
                              bool derivatives) const {
-  if (constraint_.location == Location::Unknown && constraint_.kind == ConstraintKind::OnPlane) {
+  if (is_unknown_plane_) {
     return at_unknown_plane(tip_in_base, tip_radius);
   }
   Residual r;
-  r.rows = constraint_.dimension();
+  r.rows = is_point_ ? 3 : 1;
   const bool posed = constraint_.location == Location::Posed;
   Eigen::Vector3d e;
   if (constraint_.location == Location::Unknown) {
@@ -155,25 +169,24 @@ Residual FeatureResidual::at(int reading, const Eigen::Vector3d& tip_in_base, do
   if (posed) {
     e -= certified_point(reading);
   }
-  if (constraint_.kind == ConstraintKind::Coincide) {
+  if (is_point_) {
     r.value = e;
     return r;
   }
-  Eigen::RowVector3d direction = constraint_.normal.transpose();
-  if (constraint_.kind == ConstraintKind::OnPlane) {
+  Eigen::RowVector3d direction = normal_.transpose();
+  if (plane_ != nullptr) {
     r.value[0] = direction * e - tip_radius;
   } else {
     const double distance = e.norm();
     // At the centre itself the direction is undefined; any one will do to leave it.
     direction = distance > 0.0 ? Eigen::RowVector3d(e.transpose() / distance) : Eigen::RowVector3d(0.0, 0.0, 1.0);
-    const bool ball = constraint_.kind == ConstraintKind::OnBall;
-    r.value[0] = distance - (ball ? ball_radius_ + tip_radius : constraint_.distances[reading]);
+    r.value[0] = distance - (lengths_ == nullptr ? ball_radius_ + tip_radius : lengths_->distances[reading]);
   }
   if (derivatives) {
     r.by_tip.row(0) = direction * r.by_tip;
     r.by_unknowns.row(0).head(columns_) = direction * r.by_unknowns.leftCols(columns_);
     r.by_errors.row(0) = direction * r.by_errors;
-    r.by_tip_radius = constraint_.kind == ConstraintKind::AtDistance ? 0.0 : -1.0;
+    r.by_tip_radius = lengths_ != nullptr ? 0.0 : -1.0;
     r.by_ball_radius = -constraint_.expansion;
   }
   return r;

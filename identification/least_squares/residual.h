@@ -60,6 +60,12 @@ class FeatureResidual {
   [[nodiscard]] Residual at_unknown_plane(const Eigen::Vector3d& tip_in_base, double tip_radius) const;
 
   const FeatureConstraint& constraint_;
+  // Its kind, looked up once and not for every reading.
+  bool is_point_ = false;
+  bool is_unknown_plane_ = false;
+  const OnPlane* plane_ = nullptr;
+  const AtDistance* lengths_ = nullptr;
+  Eigen::Vector3d normal_ = Eigen::Vector3d::Zero();  // of a plane, as certified
   int columns_ = 0;
   std::array<int, 7> column_{0, 1, 2, 3, 4, 5, 6};
   double ball_radius_ = 0.0;
@@ -75,6 +81,9 @@ class FeatureResidual {
   const PointLine* scaled_ = nullptr;  // the line across which points are displaced (PoseTurn::Scaled)
   Eigen::Matrix2d displacement_;       // by this
 };
+
+/// 1 where the tips on an unknown plane lie on the side of its axis, else -1.
+double side_of(const FeatureConstraint& plane, const GroupReference& reference);
 
 /// exp: turning vector (rad) to rotation.
 Eigen::Matrix3d rotation_of(const Eigen::Vector3d& rotation);

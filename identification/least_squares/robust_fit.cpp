@@ -81,7 +81,7 @@ Expected<ArmFit> robust_fit(const System& system, const Noise& noise, const Solv
     take_solution(std::move(solution), system, x, fit);
   }
   if (!converged || change > weights_tolerance) {
-    return no_solution(
+    return no_convergence(
         fmt::format("the weights of the robust loss did not converge in {} rounds: too many readings or certificates "
                     "contradict each other to say which are right",
                     max_reweightings));

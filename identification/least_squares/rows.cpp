@@ -40,8 +40,9 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
                    int first, int count, const RowsOut& out) {
   const int rows = feature.dimension();
   const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr || out.by_shared != nullptr;
-  const bool plain =
-      weights.matrix.empty() && feature.kind == ConstraintKind::Coincide && feature.location != Location::Posed;
+  const bool plain = weights.matrix.empty() && feature.is<Coincide>() && feature.location != Location::Posed;
+  const auto first_error = feature.first_error;
+  const auto shared_radius = feature.shared_radius();
   std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
@@ -80,13 +81,13 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
         }
       }
     }
-    if (out.by_shared != nullptr && feature.first_error >= 0) {
-      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(
-          out.by_shared + at + (feature.first_error - out.first_shared), rows, 3, Eigen::OuterStride<>(out.stride));
+    if (out.by_shared != nullptr && first_error) {
+      Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_shared + at + (*first_error - out.first_shared), rows,
+                                                           3, Eigen::OuterStride<>(out.stride));
       lines = whitening.topLeftCorner(rows, rows) * r.by_errors.topRows(rows);
     }
-    if (out.by_shared != nullptr && feature.shared_radius >= 0) {
-      out.by_shared[at + feature.shared_radius - out.first_shared] = whitening(0, 0) * r.by_ball_radius;
+    if (out.by_shared != nullptr && shared_radius) {
+      out.by_shared[at + *shared_radius - out.first_shared] = whitening(0, 0) * r.by_ball_radius;
     }
   }
 }
@@ -111,9 +112,9 @@ double weighted_distance(const DistanceConstraint& distance, const Constraints& 
   const FeatureConstraint& first = constraints.features[distance.first];
   const FeatureConstraint& second = constraints.features[distance.second];
   if (by_group != nullptr) {
-    std::fill_n(by_group, constraints.groups[first.group].size, 0.0);
+    std::fill_n(by_group, constraints.groups[*first.group].size, 0.0);
   }
-  if (first.kind == ConstraintKind::OnPlane) {
+  if (first.is<OnPlane>()) {
     const double apart = group_values[second.offset] - group_values[first.offset];
     const double sign = apart < 0.0 ? -1.0 : 1.0;
     if (by_group != nullptr) {

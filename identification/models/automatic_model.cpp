@@ -47,13 +47,16 @@ std::vector<Unseen> unseen_of(const std::vector<LeftOut>& left_out) {
   return all;
 }
 
+const LeftOut* first_refused(const std::vector<LeftOut>& left_out) {
+  const auto found =
+      std::find_if(left_out.begin(), left_out.end(), [](const LeftOut& left) { return !left.refusal.empty(); });
+  return found == left_out.end() ? nullptr : &*found;
+}
+
 std::string first_refusal(const std::vector<LeftOut>& left_out) {
-  for (const LeftOut& left : left_out) {
-    if (!left.refusal.empty()) {
-      return fmt::format("without the placement {}: {}", left.deviation.name.placement, left.refusal);
-    }
-  }
-  return "";
+  const LeftOut* left = first_refused(left_out);
+  return left == nullptr ? ""
+                         : fmt::format("without the placement {}: {}", left->deviation.name.placement, left->refusal);
 }
 
 double rms_of(const std::vector<Unseen>& all) {
@@ -128,6 +131,7 @@ IdentifyProgressCallback named(const IdentifyProgressCallback& progress, const M
 IdentifyOptions options_for(const Model& model, const IdentifyOptions& options) {
   IdentifyOptions own = options;
   own.model = model;
+  own.automatic = false;
   own.accept_misfit = true;
   own.progress = named(options.progress, model);
   return own;
@@ -150,8 +154,9 @@ class ModelSearch {
                       "this recording has {}",
                       min_placements, tried->estimate.after.placements.size()));
     }
-    if (const std::string why = first_refusal(tried->left_out); !why.empty()) {
-      return no_solution("--model auto cannot judge the model to begin with: " + why);
+    if (const LeftOut* left = first_refused(tried->left_out)) {
+      return no_solution("--model auto cannot judge the model to begin with: " + first_refusal(tried->left_out),
+                         left->refusal_kind);
     }
     best_ = std::move(*tried);
     trials_.push_back(described(*best_, model_, 0));

@@ -63,10 +63,13 @@ void TrialInputs::draw_readings(std::uint64_t seed, std::uint64_t trial) {
     if (feature.u > 0.0) {
       const FeatureConstraint& read = base_.constraints->features[f];
       const double u = spread_.scale_factor * feature.u;
-      for (std::size_t k = 0; k < feature.distances.size(); ++k) {
-        feature.distances[k] = read.distances[k] + u * random.normal();
+      if (auto* lengths = feature.as<AtDistance>()) {
+        for (std::size_t k = 0; k < lengths->distances.size(); ++k) {
+          lengths->distances[k] = read.as<AtDistance>()->distances[k] + u * random.normal();
+        }
+        continue;
       }
-      for (std::size_t k = 0; feature.distances.empty() && k < feature.known.size(); ++k) {
+      for (std::size_t k = 0; k < feature.known.size(); ++k) {
         feature.known[k] = read.known[k] + u * normal_vector(random);
       }
     }
@@ -103,8 +106,12 @@ void TrialInputs::draw_certificates(std::uint64_t seed, std::uint64_t trial) {
     expansion_factor[f] = factor / before.expansion;
     FeatureConstraint& feature = constraints_.features[f];
     feature.expansion = factor;
-    feature.radius = expansion_factor[f] * before.radius;
-    feature.height = expansion_factor[f] * before.height;
+    if (auto* ball = feature.as<OnBall>(); ball != nullptr && ball->radius) {
+      ball->radius = expansion_factor[f] * *before.as<OnBall>()->radius;
+    }
+    if (auto* plane = feature.as<OnPlane>(); plane != nullptr && plane->face) {
+      plane->face->height = expansion_factor[f] * before.face()->height;
+    }
     const bool by_another_instrument =
         stated.artefacts[before.artefact].features[before.feature].kind == FeatureKind::Coordinates;
     for (std::size_t k = 0; !by_another_instrument && k < before.known.size(); ++k) {

@@ -44,8 +44,7 @@ std::vector<Ball> balls_in(const Simulation& possible, const Constraints& constr
   std::vector<Ball> balls;
   for (int f = 0; f < static_cast<int>(constraints.features.size()); ++f) {
     const FeatureConstraint& feature = constraints.features[static_cast<std::size_t>(f)];
-    if (feature.placement != placement || feature.kind != ConstraintKind::OnBall ||
-        place == possible.placements.end()) {
+    if (feature.placement != placement || !feature.is<OnBall>() || place == possible.placements.end()) {
       continue;
     }
     const RealArtefact& artefact = possible.artefacts[static_cast<std::size_t>(place->artefact)];

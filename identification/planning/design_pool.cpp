@@ -31,10 +31,10 @@ Places places_of(const Constraints& constraints) {
     if (is_new) {
       places.placements.emplace_back().placement = feature.placement;
     }
-    if (feature.group >= 0 && places.of_group[feature.group] < 0) {
+    if (feature.group && places.of_group[*feature.group] < 0) {
       int& unknowns = places.placements[entry->second].unknowns;
-      places.of_group[feature.group] = unknowns;
-      unknowns += constraints.groups[feature.group].size;
+      places.of_group[*feature.group] = unknowns;
+      unknowns += constraints.groups[*feature.group].size;
     }
   }
   return places;
@@ -44,7 +44,7 @@ Places places_of(const Constraints& constraints) {
 void add_readings(const System& system, const FeatureWeights& weights,
                   const std::vector<ForwardKinematics>& kinematics_by_probe, const Unknowns& unknowns, int index,
                   int first_column, int shared, PossiblePlacement& placement) {
-  Block block{system.constraints->features[index].group, 0, {}};
+  Block block{system.constraints->features[index].group.value_or(-1), 0, {}};
   block.features = {index};
   const int columns = placement.unknowns + shared + system.arm_size();
   const auto add = [&](const FeatureReadings& of) {
@@ -119,13 +119,13 @@ void add_distances(const Recording& possible, const Constraints& constraints, co
       continue;
     }
     PossiblePlacement& placement = places.placements[places.index.at(first.placement)];
-    Eigen::VectorXd slope(constraints.groups[first.group].size);
-    weighted_distance(distance, constraints, weights.distances[d], unknowns.groups[first.group].values.data(),
+    Eigen::VectorXd slope(constraints.groups[*first.group].size);
+    weighted_distance(distance, constraints, weights.distances[d], unknowns.groups[*first.group].values.data(),
                       slope.data());
     const Eigen::Index row = placement.certified.rows();
     placement.certified.conservativeResize(row + 1, placement.unknowns + common);
     placement.certified.row(row).setZero();
-    placement.certified.row(row).segment(places.of_group[first.group], slope.size()) = slope.transpose();
+    placement.certified.row(row).segment(places.of_group[*first.group], slope.size()) = slope.transpose();
     const bool has_common_error = errors.of_distances[d] >= 0 || errors.of_expansions[d] >= 0;
     if (errors.of_expansions[d] >= 0) {
       const double u = distance.value * above[distance.first] * constraints.artefacts[first.artefact].u_expansion;
@@ -183,7 +183,7 @@ Expected<DesignPool> design_pool(const Recording& possible, const Constraints& c
   for (int f = 0; f < static_cast<int>(constraints.features.size()); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
     add_readings(pool.system, weights.features[f], kinematics_by_probe, *unknowns, f,
-                 feature.group < 0 ? 0 : places.of_group[feature.group], pool.shared,
+                 feature.group ? places.of_group[*feature.group] : 0, pool.shared,
                  places.placements[places.index.at(feature.placement)]);
   }
   add_distances(possible, constraints, weights, *unknowns, errors, pool.system.shared_size(), places, pool.common());

@@ -48,7 +48,7 @@ Expected<Preparation> prepared_at(const Arm& start, const Arm& nominal, const Re
     const bool is_of_file = coupling.error().code != ErrorCode::BadInput ||
                             !analyse_coupling(recording, constraints, nominal, coupling_request);
     return is_of_file ? tl::unexpected(coupling.error())
-                      : no_solution("the initial alignment did not converge to an arm");
+                      : no_convergence("the initial alignment did not converge to an arm");
   }
   if (coupling->scale == ScaleState::Unidentifiable) {
     return tl::unexpected(scale_is_unidentifiable());
@@ -83,7 +83,7 @@ Expected<Preparation> prepare(const Recording& recording, const Constraints& con
   const auto aligned =
       align(alignment, recording, constraints, from != nullptr ? *from : nominal, of_chain(*selection));
   if (!aligned) {
-    return no_solution("the initial alignment did not converge to an arm");
+    return no_convergence("the initial alignment did not converge to an arm");
   }
   const auto start = arm_with_fitted_tips(recording, constraints, *aligned, options.hold);
   if (!start) {

@@ -2,6 +2,11 @@
 
 namespace artcal {
 
+const GroupState& state_of(const FeatureConstraint& feature, const Unknowns& unknowns) {
+  static const GroupState none;
+  return feature.group ? unknowns.groups[*feature.group] : none;
+}
+
 Arm System::arm_at(const double* x) const {
   Arm arm = start;
   for (std::size_t i = 0; i < free.size(); ++i) {

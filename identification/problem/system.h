@@ -40,8 +40,11 @@ struct Unknowns {
   Eigen::VectorXd shared;          ///< as Constraints::shared
 };
 
+/// Of the group that a feature's unknowns belong to; an empty one where it has none.
+const GroupState& state_of(const FeatureConstraint& feature, const Unknowns& unknowns);
+
 /// What a residual is worth. A reading's residual is multiplied by `scalar`, or, where its noise differs by
-/// direction, by the lower triangular `matrix` (only for ConstraintKind::Coincide, in the residual's own frame).
+/// direction, by the lower triangular `matrix` (only for Coincide, in the residual's own frame).
 struct FeatureWeights {
   std::vector<double> scalar;
   std::vector<Eigen::Matrix3d> matrix;

@@ -13,10 +13,14 @@ Eigen::Vector3d stylus_at(const ForwardKinematics& kinematics, const JointReadin
 
 }  // namespace
 
+double radius_of(const OnBall& ball, double expansion, const double* shared) {
+  return ball.shared_radius ? expansion * shared[*ball.shared_radius] : ball.radius.value_or(0.0);
+}
+
 Tips tips_of(const System& system, const FeatureConstraint& feature,
              const std::vector<ForwardKinematics>& kinematics_by_probe) {
   Tips tips{&feature, Eigen::Matrix3Xd(3, feature.size()), Eigen::VectorXd(feature.size()), {}};
-  const bool has_side = feature.kind == ConstraintKind::OnPlane && feature.location == Location::Unknown;
+  const bool has_side = feature.is<OnPlane>() && feature.location == Location::Unknown;
   tips.styluses.resize(3, has_side ? feature.size() : 0);
   for (int k = 0; k < feature.size(); ++k) {
     const int reading = feature.readings[k];
@@ -42,11 +46,10 @@ std::vector<Tips> all_tips(const System& system, const Arm& arm) {
 
 Eigen::VectorXd distances_from_centre(const Tips& tips, const Eigen::VectorXd& shared) {
   const FeatureConstraint& feature = *tips.feature;
-  if (feature.kind == ConstraintKind::AtDistance) {
-    return Eigen::VectorXd::Map(feature.distances.data(), feature.size());
+  if (const auto* lengths = feature.as<AtDistance>()) {
+    return Eigen::VectorXd::Map(lengths->distances.data(), feature.size());
   }
-  const double radius = feature.shared_radius >= 0 ? feature.expansion * shared[feature.shared_radius] : feature.radius;
-  return tips.radii.array() + radius;
+  return tips.radii.array() + radius_of(std::get<OnBall>(feature.kind), feature.expansion, shared.data());
 }
 
 }  // namespace artcal

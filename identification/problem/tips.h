@@ -16,6 +16,9 @@ struct Tips {
   Eigen::Matrix3Xd styluses;  ///< of unknown planes only: unit vectors from the last joint's axis to the tip
 };
 
+/// The radius of a ball in its placement, mm, at these values of Constraints::shared; 0 where nobody knows it.
+double radius_of(const OnBall& ball, double expansion, const double* shared);
+
 Tips tips_of(const System& system, const FeatureConstraint& feature,
              const std::vector<ForwardKinematics>& kinematics_by_probe);
 

@@ -31,11 +31,11 @@ std::vector<double> shared_weights(const Constraints& constraints) {
 std::vector<int> reading_counts(const Constraints& constraints) {
   std::vector<int> counts(constraints.shared.size(), 0);
   for (const auto& feature : constraints.features) {
-    for (int s = feature.first_error; feature.first_error >= 0 && s < feature.first_error + 3; ++s) {
-      counts[s] += feature.size();
+    for (int axis = 0; feature.first_error && axis < 3; ++axis) {
+      counts[*feature.first_error + axis] += feature.size();
     }
-    if (feature.shared_radius >= 0) {
-      counts[feature.shared_radius] += feature.size();
+    if (const auto radius = feature.shared_radius()) {
+      counts[*radius] += feature.size();
     }
   }
   return counts;
@@ -78,8 +78,7 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
   weights.shared = shared_weights(constraints);
   Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(arm.joints.size()));
   for (const auto& feature : constraints.features) {
-    const GroupState none;
-    const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+    const GroupState& group = state_of(feature, unknowns);
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
     FeatureWeights& out = weights.features.emplace_back();
     for (int k = 0; k < feature.size(); ++k) {

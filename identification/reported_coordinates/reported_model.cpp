@@ -116,7 +116,9 @@ class ReportedSearch {
     if (!constraints) {
       return tl::unexpected(constraints.error());
     }
-    auto identification = identify(of_joints, *constraints, options_.identify);
+    IdentifyOptions of_one_model = options_.identify;
+    of_one_model.automatic = false;
+    auto identification = identify(of_joints, *constraints, of_one_model);
     if (!identification) {
       return tl::unexpected(identification.error());
     }

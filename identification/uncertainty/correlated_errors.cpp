@@ -74,12 +74,12 @@ Expected<CommonErrors> correlated_certificate_errors(const System& system, const
       continue;
     }
     const FeatureConstraint& first = constraints.features[distance.first];
-    Eigen::VectorXd slope(constraints.groups[first.group].size);
-    weighted_distance(distance, constraints, fit.counted.distances[d], fit.unknowns.groups[first.group].values.data(),
+    Eigen::VectorXd slope(constraints.groups[*first.group].size);
+    weighted_distance(distance, constraints, fit.counted.distances[d], state_of(first, fit.unknowns).values.data(),
                       slope.data());
     // δ = (RᵀR)⁻¹ Jᵀ w·(change of the length), in mm and rad per mm.
     const Eigen::VectorXd answer =
-        fit.counted.distances[d] * scale.cwiseProduct(factor->solve_for_common(first.group, slope));
+        fit.counted.distances[d] * scale.cwiseProduct(factor->solve_for_common(*first.group, slope));
     const CertifiedDistance& certificate = *certified[certificates[d]];
     of_certificates[certificates[d]].add(first.expansion * certificate.u * answer, system.arm_size());
     const double u_expansion = constraints.artefacts[first.artefact].u_expansion;

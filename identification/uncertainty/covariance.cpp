@@ -55,11 +55,10 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
                                      const Unknowns& unknowns) {
   const Constraints& constraints = *system.constraints;
   const auto kinematics_by_probe = forward_kinematics_of(system, arm);
-  const GroupState none;
   WhitenedResiduals residuals;
   for (std::size_t f = 0; f < constraints.features.size(); ++f) {
     const FeatureConstraint& feature = constraints.features[f];
-    const GroupState& group = feature.group < 0 ? none : unknowns.groups[feature.group];
+    const GroupState& group = state_of(feature, unknowns);
     auto& out = residuals.readings.emplace_back(static_cast<std::size_t>(feature.size() * feature.dimension()));
     weighted_rows(system, feature, weights.features[f], kinematics_by_probe,
                   FeatureResidual(feature, group.reference, group.values.data(), unknowns.shared.data()), 0,
@@ -68,7 +67,7 @@ WhitenedResiduals whitened_residuals(const System& system, const Weights& weight
   for (std::size_t d = 0; d < constraints.distances.size(); ++d) {
     const DistanceConstraint& distance = constraints.distances[d];
     if (distance.binds) {
-      const auto& values = unknowns.groups[constraints.features[distance.first].group].values;
+      const auto& values = state_of(constraints.features[distance.first], unknowns).values;
       residuals.distances.push_back(
           weighted_distance(distance, constraints, weights.distances[d], values.data(), nullptr));
     }

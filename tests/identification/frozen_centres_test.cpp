@@ -25,7 +25,7 @@ test::Bound frozen(const test::Bound& plate, FeatureKind kind) {
   Artefact artefact;
   artefact.name = plate.constraints.artefacts[0].name;
   for (const FeatureConstraint& feature : plate.constraints.features) {
-    const Rigid plate_from_base = base_from_artefact(unknowns->groups[feature.group]).inverse();
+    const Rigid plate_from_base = base_from_artefact(state_of(feature, *unknowns)).inverse();
     for (int k = 0; k < feature.size(); ++k) {
       const int reading = feature.readings[k];
       const Eigen::VectorXd q = recording.joints.col(reading);
@@ -33,7 +33,7 @@ test::Bound frozen(const test::Bound& plate, FeatureKind kind) {
       const Eigen::Vector3d outwards = (plate_from_base * tip - feature.known[k]).normalized();
       CertifiedFeature contact = testing::feature_of(std::to_string(reading), kind);
       const double tip_radius = kind == FeatureKind::Point ? nominal.probes[0].radius : 0.0;
-      contact.at = feature.known[k] + (feature.radius + tip_radius) * outwards;
+      contact.at = feature.known[k] + (*feature.as<OnBall>()->radius + tip_radius) * outwards;
       contact.normal = outwards;
       recording.readings[reading].feature = recording.features.index_of(contact.name);
       artefact.features.push_back(contact);

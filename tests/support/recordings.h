@@ -4,17 +4,14 @@
 #include <string>
 
 #include "acquisition/recording/recording_file.h"
-#include "artefacts/constraints/constraint.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "identification/identify.h"
 #include "tests/support/arms.h"
 
 namespace artcal::test {
 
-/// A recording bound to its artefacts; a failure to read one ends the test with its message.
-struct Bound {
-  Recording recording;
-  Constraints constraints;
-};
+/// A failure to read or bind a recording ends the test with its message.
+using Bound = BoundRecording;
 
 inline Bound bind(Recording recording, std::vector<Artefact> artefacts) {
   auto constraints = build_constraints(recording, std::move(artefacts));
@@ -25,9 +22,9 @@ inline Bound bind(Recording recording, std::vector<Artefact> artefacts) {
 inline Bound read_bound(const std::string& path) {
   auto recording = read_recording(path);
   if (!recording) throw std::runtime_error(recording.error().text());
-  auto constraints = read_constraints(*recording);
-  if (!constraints) throw std::runtime_error(constraints.error().text());
-  return {std::move(*recording), std::move(*constraints)};
+  auto bound = bind_recording(std::move(*recording));
+  if (!bound) throw std::runtime_error(bound.error().text());
+  return std::move(*bound);
 }
 
 /// The readings of two sessions of one arm as one recording; artefacts of the same name are the same.

@@ -8,9 +8,8 @@
 
 #include "acquisition/recording/tip_centres.h"
 #include "app/output/phrases.h"
-#include "app/results/identification/identification_run.h"
-#include "artefacts/constraints/coincident_readings.h"
-#include "identification/evaluation/judgement.h"
+#include "app/requests/identify_request.h"
+#include "app/results/identification/input_warnings.h"
 #include "identification/inspection/explanation.h"
 
 namespace artcal {
@@ -18,27 +17,24 @@ namespace {
 
 constexpr double large_residuals = 0.15;    // mm a coordinate
 constexpr double gross_verification = 0.3;  // mm
-constexpr std::string_view implausible = " [plausible_values]";
 
-// Rows that the reading of the file left out come first.
-Findings with_repeated_rows(const std::vector<std::string>& warnings, Findings&& findings) {
+// Readings that were left out when the recording was bound come first.
+Findings with_repeated_readings(const Recording& recording, Findings&& findings) {
   Findings all;
-  for (const std::string& warning : warnings) {
-    if (is_coincidence_warning(warning)) {
-      all.push_back({FindingKind::RepeatedReadings, "", warning});
-    }
+  if (recording.repeated_readings) {
+    all.push_back({FindingKind::RepeatedReadings, "", *recording.repeated_readings});
   }
   all.insert(all.end(), std::make_move_iterator(findings.begin()), std::make_move_iterator(findings.end()));
   return all;
 }
 
-std::vector<std::string> take_coincidence_warnings(Recording& recording) {
-  const auto others =
-      std::stable_partition(recording.warnings.begin(), recording.warnings.end(),
-                            [](const std::string& warning) { return !is_coincidence_warning(warning); });
-  std::vector<std::string> taken(std::make_move_iterator(others), std::make_move_iterator(recording.warnings.end()));
-  recording.warnings.erase(others, recording.warnings.end());
-  return taken;
+// What is a finding is no warning beside it.
+void take_repeated_readings(Recording& recording, Findings& findings) {
+  findings = with_repeated_readings(recording, std::move(findings));
+  if (recording.repeated_readings) {
+    std::erase(recording.warnings, *recording.repeated_readings);
+    recording.repeated_readings.reset();
+  }
 }
 
 AsWritten as_written_of(const Recording& recording, const Identification& result) {
@@ -49,39 +45,41 @@ AsWritten as_written_of(const Recording& recording, const Identification& result
           misfit ? result.misfits.front() : ""};
 }
 
-// What the readings as written are refused for, without advice in general.
-std::string reasons_of(const Error& error) {
-  std::string reasons = error.message.substr(0, error.message.find("; --accept-misfit"));
-  if (const auto advice = reasons.find(general_advice); advice != std::string::npos) {
-    reasons.resize(advice);
+std::string without_full_stop(std::string text) {
+  while (text.ends_with(' ') || text.ends_with('.')) {
+    text.pop_back();
   }
-  while (reasons.ends_with(' ') || reasons.ends_with('.')) {
-    reasons.pop_back();
-  }
-  return reasons;
+  return text;
 }
 
-// Where the mistake is named, the first of them is enough, with what looks wrong in the input.
-std::string first_reason_of(const Error& error) {
-  constexpr std::string_view opening = "no arm fits these readings: ";
-  const std::string reasons = reasons_of(error);
-  const std::size_t begin = reasons.starts_with(opening) ? opening.size() : 0;
-  const std::size_t end = std::min(reasons.find("; ", begin), reasons.size());
-  const std::size_t warnings = std::min(reasons.find("; warning: ", end), reasons.size());
-  return reasons.substr(begin, end - begin) + reasons.substr(warnings);
+// What the readings as written are refused for, without advice in general.
+std::string reasons_of(const Error& error) {
+  return without_full_stop(error.found.empty() ? error.message : error.found);
+}
+
+// Where the mistake is named, the first of them is enough. The warnings of the input stand behind advice where there is
+// any; otherwise they are a part of the reasons.
+std::string first_reason_of(const Error& error, const std::vector<std::string>& warnings) {
+  if (error.reason.empty()) {
+    return reasons_of(error);
+  }
+  return error.found.empty() ? without_full_stop(with_warnings({error.code, error.reason, {}}, warnings).message)
+                             : error.reason;
 }
 
 constexpr std::string_view accept = "; --accept-misfit writes the arm all the same";
 
-Error explained_error(const Findings& mistakes, const std::optional<Error>& as_written) {
+// `reason` is why the readings as written are refused; empty where they are not.
+Error explained_error(const Findings& mistakes, const std::string& reason) {
   std::string text;
   for (const Finding& finding : mistakes) {
     text += (text.empty() ? "" : ". Then: ") + finding.sentence();
   }
   return {ErrorCode::NoSolution,
           fmt::format("no arm fits these readings as they are written: {}{}{}", text,
-                      as_written ? ". As written: " + first_reason_of(*as_written) : "", accept),
-          {}};
+                      reason.empty() ? "" : ". As written: " + reason, accept),
+          {},
+          ErrorKind::Misfit};
 }
 
 Error unexplained_error(const Error& as_written, const std::vector<std::string>& excluded) {
@@ -89,7 +87,8 @@ Error unexplained_error(const Error& as_written, const std::vector<std::string>&
           fmt::format("{}. No single mistake explains it; looked for in vain: {}. --model auto searches for unmodelled "
                       "errors{}",
                       reasons_of(as_written), fmt::join(excluded, "; "), accept),
-          {}};
+          {},
+          ErrorKind::Misfit};
 }
 
 bool is_told(const std::vector<std::string>& warnings, const Finding& finding) {
@@ -102,18 +101,17 @@ bool is_told(const std::vector<std::string>& warnings, const Finding& finding) {
 Inspection inspected(Recording& recording, const Constraints& constraints, const IdentifyOptions* options) {
   Inspection inspection =
       options != nullptr ? inspect(recording, constraints, *options) : inspect_recording(recording, constraints);
-  inspection.findings = with_repeated_rows(take_coincidence_warnings(recording), std::move(inspection.findings));
+  take_repeated_readings(recording, inspection.findings);
   return inspection;
 }
 
-InspectedIdentification run_inspected(const Recording& recording, const Constraints& constraints,
-                                      const IdentifyOptions& options) {
-  InspectedIdentification run{
-      run_identification(recording, constraints, options),
-      with_repeated_rows(recording.warnings, find_mistakes_without_fit(recording, constraints))};
+InspectedIdentification inspect_result(Expected<Identification> result, const Recording& recording,
+                                       const Constraints& constraints, const IdentifyOptions& options) {
+  InspectedIdentification run{with_input_warnings(std::move(result), recording, constraints),
+                              with_repeated_readings(recording, find_mistakes_without_fit(recording, constraints))};
   Findings& findings = run.findings;
   const bool failed = !run.result;
-  if (failed && (run.result.error().code != ErrorCode::NoSolution || !is_misfit(run.result.error()))) {
+  if (failed && !is_misfit(run.result.error())) {
     return run;
   }
   const AsWritten as_written =
@@ -126,8 +124,8 @@ InspectedIdentification run_inspected(const Recording& recording, const Constrai
     if (!explanation.findings.empty()) {
       add_explanation(findings, explanation.findings);
       if (!options.accept_misfit || failed) {
-        const auto error = failed ? std::optional(run.result.error()) : std::nullopt;
-        run.result = tl::unexpected(explained_error(explanation.findings, error));
+        const std::string reason = failed ? first_reason_of(run.result.error(), recording.warnings) : "";
+        run.result = tl::unexpected(explained_error(explanation.findings, reason));
       }
     } else if (failed) {
       run.result = tl::unexpected(unexplained_error(run.result.error(), explanation.excluded));
@@ -154,14 +152,16 @@ Findings findings_for_verification(Recording& recording, const Constraints& cons
     const IdentifyOptions options = recorded_options(recording);
     return inspected(recording, constraints, &options).findings;
   }
-  return with_repeated_rows(take_coincidence_warnings(recording), find_mistakes_without_fit(recording, constraints));
+  Findings findings = find_mistakes_without_fit(recording, constraints);
+  take_repeated_readings(recording, findings);
+  return findings;
 }
 
-Findings findings_of_verification(const std::vector<std::string>& missing) {
+Findings findings_of_verification(const std::vector<MissingEvidence>& evidence) {
   Findings findings;
-  for (const std::string& text : missing) {
-    if (text.ends_with(implausible)) {
-      findings.push_back({FindingKind::ImplausibleValue, "", text.substr(0, text.size() - implausible.size())});
+  for (const MissingEvidence& missing : evidence) {
+    if (missing.evidence == Evidence::PlausibleValues && !missing.is_waived) {
+      findings.push_back({FindingKind::ImplausibleValue, "", missing.text});
     }
   }
   return findings;

@@ -1,8 +1,7 @@
 #include "app/results/verification/verification_material.h"
 
 #include "acquisition/arm/arm_file.h"
-#include "app/output/phrases.h"
-#include "artefacts/constraints/read_constraints.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "artefacts/scans/scan_readings.h"
 #include "artefacts/verification/decision/specification_file.h"
 
@@ -25,12 +24,13 @@ Expected<void> read_other_arm(const std::string& path, VerificationMaterial& mat
 
 Expected<void> read_artefacts_and_tips(const VerificationSources& sources, VerificationMaterial& material) {
   const Arm* other = material.other_arm ? &*material.other_arm : nullptr;
-  auto constraints =
-      read_constraints(material.recording, sources.access, {ScanUse::WholeBalls, other, sources.limits.max_memory});
-  if (!constraints) {
-    return tl::unexpected(with_warnings(constraints.error(), material.recording.warnings));
+  auto bound = bind_recording(std::move(material.recording), sources.access,
+                              {ScanUse::WholeBalls, other, sources.limits.max_memory});
+  if (!bound) {
+    return tl::unexpected(bound.error());
   }
-  material.constraints = std::move(*constraints);
+  material.recording = std::move(bound->recording);
+  material.constraints = std::move(bound->constraints);
   const auto& known = material.other_identification;
   auto tips = other != nullptr ? tip_centres(material.recording, *other, known ? &*known : nullptr)
                                : tip_centres(material.recording);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/output/phrases.h"
 #include "app/results/verification/earlier_values.h"
 
 namespace artcal {

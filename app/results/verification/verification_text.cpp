@@ -89,11 +89,13 @@ std::string list_text(const char* heading, const std::vector<std::string>& lines
 
 // What cannot be, waived or not: a verdict by it would look right.
 std::vector<std::string> implausible(const Verification& verification) {
-  const std::string mark = fmt::format("[{}]", name_of(Evidence::PlausibleValues));
   std::vector<std::string> lines;
-  for (const auto* list : {&verification.missing, &verification.waived}) {
-    std::copy_if(list->begin(), list->end(), std::back_inserter(lines),
-                 [&](const std::string& text) { return text.ends_with(mark); });
+  for (const bool waived : {false, true}) {
+    for (const MissingEvidence& missing : verification.evidence) {
+      if (missing.evidence == Evidence::PlausibleValues && missing.is_waived == waived) {
+        lines.push_back(missing.line());
+      }
+    }
   }
   return lines;
 }

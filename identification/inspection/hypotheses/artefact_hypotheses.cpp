@@ -189,8 +189,10 @@ std::vector<Hypothesis> radius_hypotheses(const Recording& recording, const std:
 }
 
 std::vector<Hypothesis> free_radius_hypotheses(const Constraints& constraints) {
-  const bool balls = std::any_of(constraints.features.begin(), constraints.features.end(), [](const auto& feature) {
-    return feature.kind == ConstraintKind::OnBall && feature.radius > 0.0;
+  const auto& features = constraints.features;
+  const bool balls = std::any_of(features.begin(), features.end(), [](const FeatureConstraint& feature) {
+    const auto* ball = feature.as<OnBall>();
+    return ball != nullptr && ball->radius;
   });
   if (!balls) {
     return {};

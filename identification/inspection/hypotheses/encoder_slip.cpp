@@ -142,7 +142,7 @@ std::vector<StepScore> candidates(const Recording& recording, const Constraints&
   const System at_nominal = make_system(recording, constraints, nominal, free);
   lists.push_back(score_steps(at_nominal, weights, recording));
   if (std::any_of(constraints.features.begin(), constraints.features.end(),
-                  [](const auto& feature) { return feature.kind == ConstraintKind::OnBall; })) {
+                  [](const FeatureConstraint& feature) { return feature.is<OnBall>(); })) {
     const Constraints points = balls_as_points(constraints);
     System to_centres = make_system(recording, points, nominal, free);
     lengthen_to_centres(constraints, to_centres);

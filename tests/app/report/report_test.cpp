@@ -15,7 +15,7 @@
 #include "app/results/identification/result_json.h"
 #include "app/results/result_head.h"
 #include "app/results/verification/verification_json.h"
-#include "artefacts/constraints/constraint.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "artefacts/verification/decision/specification_file.h"
 #include "artefacts/verification/verify.h"
 #include "identification/identify.h"
@@ -28,9 +28,14 @@ using Json = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+BoundRecording bound_example(const std::string& name) {
+  return bind_recording(
+             read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/" + name + "/recording.toml").value())
+      .value();
+}
+
 Json identified() {
-  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml").value();
-  const auto constraints = read_constraints(recording).value();
+  const auto [recording, constraints] = bound_example("two-socket-bar");
   IdentifyOptions options;
   options.leave_out = false;
   const auto result = identify(recording, constraints, options).value();
@@ -39,9 +44,8 @@ Json identified() {
   return json;
 }
 
-Json verified(const std::string& example, Standard standard) {
-  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/" + example + "/recording.toml").value();
-  const auto constraints = read_constraints(recording).value();
+Json verified(const std::string& name, Standard standard) {
+  const auto [recording, constraints] = bound_example(name);
   const auto specification = read_specification_file(recording.specification_path).value().specification;
   const auto tips = tip_centres(recording).value();
   const Session session{recording, constraints, recording.arm, tips, specification};
@@ -279,8 +283,7 @@ TEST(ReportOfResults, UnknownQuantitiesAreRefused) {
 
 // A nominal arm that cannot be evaluated: null in the result, a dash in the report.
 TEST(ReportOfResults, WithoutANominalEvaluationIsWritten) {
-  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/two-socket-bar/recording.toml").value();
-  const auto constraints = read_constraints(recording).value();
+  const auto [recording, constraints] = bound_example("two-socket-bar");
   IdentifyOptions options;
   options.leave_out = false;
   auto result = identify(recording, constraints, options).value();

@@ -5,7 +5,7 @@
 
 #include "acquisition/recording/recording_file.h"
 #include "artefacts/artefact/artefact_file.h"
-#include "artefacts/constraints/constraint.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {
@@ -35,9 +35,9 @@ class CertificateTest : public ::testing::Test {
     example.recording = date_line + "artefacts = [\"bar.toml\"]\n" + example.recording;
     auto recording = read_recording(example.write(folder_));
     EXPECT_TRUE(recording) << recording.error().text();
-    const auto constraints = read_constraints(*recording);
-    EXPECT_TRUE(constraints) << constraints.error().text();
-    return constraints->warnings;
+    const auto bound = bind_recording(std::move(*recording));
+    EXPECT_TRUE(bound) << bound.error().text();
+    return bound->constraints.warnings;
   }
   testing::TemporaryFolder folder_;
 };

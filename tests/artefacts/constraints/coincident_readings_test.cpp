@@ -70,6 +70,7 @@ TEST(CoincidentReadings, OneMeasurementCountsOnceUnderAnyLabel) {
   EXPECT_THAT(
       readings.recording().warnings,
       ElementsAre(HasSubstr("2 of 7 readings repeat an earlier one in every number (r.csv:4 repeats r.csv:2)")));
+  EXPECT_EQ(readings.recording().repeated_readings, readings.recording().warnings.front());
   drop_coincident_readings(readings.recording(), {artefact_of(FeatureKind::Sphere)});
   EXPECT_EQ(readings.recording().warnings.size(), 1u);
 }
@@ -91,6 +92,7 @@ TEST(CoincidentReadings, ResolutionExplainsAFewInASeat) {
   drop_coincident_readings(one_of_ten, {artefact_of(FeatureKind::Point)});
   EXPECT_EQ(one_of_ten.readings.size(), 10u);
   EXPECT_THAT(one_of_ten.warnings, IsEmpty());
+  EXPECT_EQ(one_of_ten.repeated_readings, std::nullopt);
   // On a ball no two touches agree; and in a seat not half of them.
   Recording on_ball = reported(tips);
   drop_coincident_readings(on_ball, {artefact_of(FeatureKind::Sphere)});

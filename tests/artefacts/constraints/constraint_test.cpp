@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/recording/recording_file.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {
@@ -59,8 +60,10 @@ class ConstraintTest : public ::testing::Test {
     if (!read) {
       return tl::unexpected(read.error());
     }
-    recording_ = std::move(*read);
-    return read_constraints(recording_);
+    return bind_recording(std::move(*read)).map([&](BoundRecording&& bound) {
+      recording_ = std::move(bound.recording);
+      return std::move(bound.constraints);
+    });
   }
   std::string refusal(const std::string& artefacts, const std::string& readings) {
     const auto bound = bind(artefacts, readings);
@@ -94,13 +97,14 @@ TEST_F(ConstraintTest, BindsSeveralArtefactsPlacementsAndProbesOfOneRecording) {
   EXPECT_EQ(name_of(c.features[0], c, recording_).placement, "1");
   EXPECT_EQ(name_of(c.features[0], c, recording_).feature, "A");
   EXPECT_THAT(c.features[0].readings, ElementsAre(0, 7));
-  EXPECT_EQ(c.features[0].kind, ConstraintKind::Coincide);
+  EXPECT_TRUE(c.features[0].is<Coincide>());
   EXPECT_EQ(c.features[0].location, Location::Unknown);
   EXPECT_EQ(c.features[0].dimension(), 3);
   EXPECT_THAT(c.features[0].known, IsEmpty());
 
-  EXPECT_EQ(c.features[1].radius, 10.0);
-  EXPECT_EQ(c.features[1].kind, ConstraintKind::OnBall);
+  ASSERT_TRUE(c.features[1].is<OnBall>());
+  EXPECT_EQ(c.features[1].as<OnBall>()->radius, 10.0);
+  EXPECT_EQ(c.features[1].shared_radius(), std::nullopt) << "its certificate states no uncertainty";
   EXPECT_EQ(c.features[1].dimension(), 1);
 
   EXPECT_EQ(c.features[2].placement, recording_.placements.find("2"));
@@ -108,14 +112,14 @@ TEST_F(ConstraintTest, BindsSeveralArtefactsPlacementsAndProbesOfOneRecording) {
   EXPECT_THAT(c.features[3].known, ElementsAre(Eigen::Vector3d(100, 0, 0)));
 
   EXPECT_EQ(c.features[4].location, Location::Unknown);
-  EXPECT_EQ(c.features[4].kind, ConstraintKind::AtDistance);
-  EXPECT_THAT(c.features[4].distances, ElementsAre(321.5));
+  ASSERT_TRUE(c.features[4].is<AtDistance>());
+  EXPECT_THAT(c.features[4].as<AtDistance>()->distances, ElementsAre(321.5));
   EXPECT_EQ(c.features[4].u, 0.025) << "U/k";
 
   EXPECT_EQ(c.features[5].location, Location::Base);
   EXPECT_THAT(c.features[5].known, ElementsAre(Eigen::Vector3d(7, 8, 9)));
   EXPECT_EQ(c.features[5].u, 0.01);
-  EXPECT_EQ(c.features[5].group, -1);
+  EXPECT_EQ(c.features[5].group, std::nullopt);
 
   EXPECT_EQ(c.reading_residual_count(), 3 * 2 + 2 + 3 + 3 + 1 + 3);
   EXPECT_EQ(c.unknown_count(), 3 + 3 + 3 + 6 + 3);
@@ -192,7 +196,7 @@ TEST_F(ConstraintTest, CertifiedLengthsGrowWithTheTemperatureOfTheirPlacement) {
   EXPECT_NEAR(c.distances[1].value, 999.9, 1e-9);
   EXPECT_EQ(c.distances[2].value, 1000.0) << "no temperature read: as at the reference";
   EXPECT_EQ(c.distances[0].u, 0.001);
-  EXPECT_NEAR(c.features[2].radius, 10.0005, 1e-12);
+  EXPECT_NEAR(c.features[2].as<OnBall>()->radius.value(), 10.0005, 1e-12);
   EXPECT_THAT(c.warnings, IsEmpty());
 }
 
@@ -203,7 +207,7 @@ TEST_F(ConstraintTest, CertifiedCoordinatesGrowWithTheTemperature) {
   EXPECT_NEAR(c.features[0].known[0].x(), 100.02, 1e-12);
   EXPECT_NEAR(c.features[1].known[0].y(), 200.04, 1e-12);
   EXPECT_NEAR(c.features[2].known[0].z(), 400.08, 1e-12);
-  EXPECT_NEAR(c.features[2].radius, 5.001, 1e-12);
+  EXPECT_NEAR(c.features[2].as<OnBall>()->radius.value(), 5.001, 1e-12);
   EXPECT_NEAR(c.distances[0].value, 223.6068 * 1.0002, 1e-9);
 }
 
@@ -214,7 +218,7 @@ TEST_F(ConstraintTest, WhatAnotherInstrumentMeasuredDoesNotGrow) {
                               "artefact,probe,temperature,length,ref_x,ref_y,ref_z,q1,q2\n"
                               "tracker,ball,40,,1000,2000,3000,1,2\nwire,ball,40,500,,,,1,2\n");
   EXPECT_EQ(c.features[0].known[0], Eigen::Vector3d(1000, 2000, 3000));
-  EXPECT_EQ(c.features[1].distances[0], 500.0);
+  EXPECT_EQ(c.features[1].as<AtDistance>()->distances[0], 500.0);
 }
 
 TEST_F(ConstraintTest, WarnsWhereALengthShouldHaveGrownButNobodySaidHowMuch) {
@@ -243,8 +247,9 @@ TEST_F(ConstraintTest, GroupsWhatADistanceTiesTogether) {
   EXPECT_EQ(c.groups[2].size, 6);
   std::vector<std::pair<int, int>> places;
   for (const FeatureConstraint& feature : c.features) {
-    places.emplace_back(feature.group, feature.offset);
-    EXPECT_FALSE(c.groups[feature.group].has_pose);
+    ASSERT_TRUE(feature.group);
+    places.emplace_back(*feature.group, feature.offset);
+    EXPECT_FALSE(c.groups[*feature.group].has_pose);
   }
   EXPECT_THAT(places, ElementsAre(std::pair(0, 0), std::pair(1, 0), std::pair(0, 3), std::pair(0, 6), std::pair(2, 0),
                                   std::pair(2, 3)));

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/recording/recording_file.h"
-#include "artefacts/constraints/constraint.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "core/files/hash.h"
 #include "tests/support/arm_scans.h"
 #include "tests/support/example_recording.h"
@@ -38,7 +38,10 @@ class ScanReadings : public ::testing::Test {
     recording_.arm = arm_;
     recording_.scans = {source_};
     recording_.artefact_paths = {folder_.write("bar.toml", testing::bar_file(settings_)).string()};
-    return read_constraints(recording_, selection);
+    return bind_recording(recording_, selection).map([&](BoundRecording&& bound) {
+      recording_ = std::move(bound.recording);
+      return std::move(bound.constraints);
+    });
   }
   std::string refusal() {
     const auto constraints = read();
@@ -222,11 +225,29 @@ TEST_F(ScanReadings, RefusesWhatCannotBeReadings) {
   EXPECT_THAT(refusal(), HasSubstr("they are not at the certified distances to 10 mm"));
 }
 
+// A recording that is bound stays as it was read, so that it can be bound again, to the same readings.
+TEST_F(ScanReadings, ARecordingIsBoundAsOftenAsIsWanted) {
+  scan(6);
+  ASSERT_TRUE(read());
+  Recording as_read;
+  as_read.arm = arm_;
+  as_read.scans = {source_};
+  as_read.artefact_paths = recording_.artefact_paths;
+  const auto first = bind_recording(as_read);
+  const auto second = bind_recording(as_read);
+  ASSERT_TRUE(first && second);
+  EXPECT_THAT(as_read.readings, SizeIs(0));
+  EXPECT_THAT(as_read.inputs, SizeIs(0));
+  EXPECT_EQ(first->recording.readings.size(), recording_.readings.size());
+  EXPECT_EQ(second->recording.readings.size(), recording_.readings.size());
+  EXPECT_EQ(second->recording.joints, recording_.joints);
+}
+
 TEST_F(ScanReadings, RefusesAScanNamedTwice) {
   scan(6);
   ASSERT_TRUE(read());
   recording_.scans.push_back(recording_.scans.front());
-  const auto again = read_constraints(recording_);
+  const auto again = bind_recording(recording_);
   ASSERT_FALSE(again);
   EXPECT_THAT(again.error().text(), HasSubstr("is named twice"));
 }

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "acquisition/recording/recording_file.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "artefacts/scans/scan_readings.h"
 #include "artefacts/verification/iso10360_12/iso10360_12.h"
 #include "core/random.h"
@@ -81,12 +82,12 @@ Expected<Scanned> scanned(const Planted& planted, ScanUse use = ScanUse::WholeBa
   Scanned result;
   auto recording = read_recording(path);
   if (!recording) return tl::unexpected(recording.error());
-  result.recording = std::move(*recording);
-  const auto constraints = read_constraints(result.recording, {use, nullptr});
-  if (!constraints) return tl::unexpected(constraints.error());
+  auto bound = bind_recording(std::move(*recording), {use, nullptr});
+  if (!bound) return tl::unexpected(bound.error());
+  result.recording = std::move(bound->recording);
   const auto tips = tip_centres(result.recording);
   if (!tips) return tl::unexpected(tips.error());
-  auto verification = verify_iso10360_12({result.recording, *constraints, result.recording.arm, *tips, by});
+  auto verification = verify_iso10360_12({result.recording, bound->constraints, result.recording.arm, *tips, by});
   if (!verification) return tl::unexpected(verification.error());
   result.verification = std::move(*verification);
   return result;

@@ -150,7 +150,7 @@ TEST_F(VirtualProbingTest, ReadingsOfABallLieOnIt) {
     const Eigen::VectorXd squares = 0.5 * differences.colwise().squaredNorm().transpose();
     const Eigen::Vector3d centre = all.col(0) + differences.transpose().colPivHouseholderQr().solve(squares);
     for (int i = 0; i < feature.size(); ++i) {
-      EXPECT_EQ(feature.radius, 10.0);
+      EXPECT_EQ(feature.as<OnBall>()->radius, 10.0);
       EXPECT_NEAR((all.col(i) - centre).norm(), 13.0, 10 * exact);
     }
   }
@@ -159,8 +159,8 @@ TEST_F(VirtualProbingTest, ReadingsOfABallLieOnIt) {
 TEST_F(VirtualProbingTest, OfUnknownBallsTheRadiusIsNotTold) {
   probe(ReadingKind::UnknownSphere);
   for (const FeatureConstraint& feature : constraints_.features) {
-    EXPECT_EQ(feature.radius, 0.0);
-    EXPECT_EQ(constraints_.shared.at(feature.shared_radius).u, 0.0);
+    EXPECT_EQ(feature.as<OnBall>()->radius, std::nullopt);
+    EXPECT_EQ(constraints_.shared.at(feature.shared_radius().value()).u, 0.0);
   }
 }
 
@@ -194,17 +194,17 @@ TEST_F(VirtualProbingTest, APlatesPointsKeepTheirDistances) {
 TEST_F(VirtualProbingTest, MeasuredLengthsEndInOneAnchor) {
   probe(ReadingKind::Length);
   for (const FeatureConstraint& feature : constraints_.features) {
+    const std::vector<double>& lengths = feature.as<AtDistance>()->distances;
     const Eigen::Matrix3Xd all = tips(feature);
     const Eigen::Matrix3Xd differences = all.rightCols(all.cols() - 1).colwise() - all.col(0);
     Eigen::VectorXd right(differences.cols());
     for (Eigen::Index i = 0; i < right.size(); ++i) {
-      const double length = feature.distances[i + 1];
-      right[i] =
-          0.5 * (differences.col(i).squaredNorm() - length * length + feature.distances[0] * feature.distances[0]);
+      const double length = lengths[i + 1];
+      right[i] = 0.5 * (differences.col(i).squaredNorm() - length * length + lengths[0] * lengths[0]);
     }
     const Eigen::Vector3d anchor = all.col(0) + differences.transpose().colPivHouseholderQr().solve(right);
     for (int i = 0; i < feature.size(); ++i) {
-      EXPECT_NEAR((all.col(i) - anchor).norm(), feature.distances[i], exact);
+      EXPECT_NEAR((all.col(i) - anchor).norm(), lengths[i], exact);
     }
   }
 }

@@ -51,6 +51,33 @@ TEST(Misfit, SwappedJointsAreRefused) {
   }
 }
 
+// Who acts on a refusal decides by its kind, and takes its parts as they are.
+TEST(Misfit, ARefusalHasItsKindAndItsParts) {
+  probing::Session wrong = session();
+  for (CertifiedFeature& ball : wrong.artefacts.front().features) *ball.radius *= 2.0;
+  const auto bound = probing::bound(wrong, 0.015);
+  const auto result = identify(bound.recording, bound.constraints, stated(0.015));
+  ASSERT_FALSE(result);
+  const Error& error = result.error();
+  EXPECT_EQ(error.kind, ErrorKind::Misfit);
+  EXPECT_THAT(error.message, ::testing::StartsWith(error.found));
+  EXPECT_THAT(error.message.substr(error.found.size()), HasSubstr("--accept-misfit"));
+  EXPECT_THAT(error.found, Not(HasSubstr("--accept-misfit")));
+  EXPECT_THAT(error.found, HasSubstr(error.reason));
+  EXPECT_THAT(error.reason, HasSubstr("times the stated noise"));
+
+  const auto sound = probing::bound(session(), 0.015);
+  IdentifyOptions options = stated(0.015);
+  options.max_iterations = 1;
+  const auto unfinished = identify(sound.recording, sound.constraints, options);
+  ASSERT_FALSE(unfinished);
+  EXPECT_EQ(unfinished.error().kind, ErrorKind::NoConvergence) << unfinished.error().text();
+
+  options = stated(0.015);
+  options.hold = {"nothing"};
+  EXPECT_EQ(identify(sound.recording, sound.constraints, options).error().kind, ErrorKind::Other);
+}
+
 TEST(Misfit, IsWrittenWhereThatIsAsked) {
   probing::Session wrong = session();
   wrong.touches[7].feature = 1 - std::min(1, wrong.touches[7].feature);

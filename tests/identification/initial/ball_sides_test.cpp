@@ -34,8 +34,7 @@ struct Bar {
 
   void add(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& centre) {
     FeatureConstraint& ball = constraints.features.emplace_back();
-    ball.kind = ConstraintKind::OnBall;
-    ball.radius = ball_radius;
+    ball.kind = OnBall{ball_radius};
     ball.readings.resize(static_cast<std::size_t>(points.cols()));
     tips.push_back({nullptr, points, Eigen::VectorXd::Constant(points.cols(), tip_radius), {}});
     centres.push_back(centre);

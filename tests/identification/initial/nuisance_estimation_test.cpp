@@ -28,7 +28,7 @@ struct Two {
   System system;
   std::vector<Tips> tips;
 
-  explicit Two(ConstraintKind kind) {
+  Two(ConstraintKind of_first, ConstraintKind of_second) {
     recording.placements.index_of("p1");
     constraints.artefacts.resize(1);
     constraints.artefacts[0].name = "bar";
@@ -39,7 +39,7 @@ struct Two {
     constraints.groups = {{false, false, 6}};
     for (int f = 0; f < 2; ++f) {
       FeatureConstraint& feature = constraints.features[f];
-      feature.kind = kind;
+      feature.kind = f == 0 ? of_first : of_second;
       feature.feature = f;
       feature.group = 0;
       feature.offset = 3 * f;
@@ -57,7 +57,7 @@ struct Two {
 const Eigen::Vector3d first(300.0, -200.0, 150.0), second(700.0, 100.0, 400.0);
 
 TEST(NuisanceEstimation, APointIsTheMeanOfItsTips) {
-  Two two(ConstraintKind::Coincide);
+  Two two(Coincide{}, Coincide{});
   Eigen::Matrix3Xd around(3, 2);
   around << 1, -1, 2, -2, 0, 0;
   two.read(0, around.colwise() + first);
@@ -69,9 +69,7 @@ TEST(NuisanceEstimation, APointIsTheMeanOfItsTips) {
 }
 
 TEST(NuisanceEstimation, ABallOfKnownRadiusHasItsCentre) {
-  Two two(ConstraintKind::OnBall);
-  two.constraints.features[0].radius = 12.7;
-  two.constraints.features[1].radius = 19.05;
+  Two two(OnBall{12.7}, OnBall{19.05});
   two.read(0, touches(first, 12.7 + tip_radius, 6, 1));
   two.read(1, touches(second, 19.05 + tip_radius, 6, 2));
   const auto found = two.estimate();
@@ -81,8 +79,7 @@ TEST(NuisanceEstimation, ABallOfKnownRadiusHasItsCentre) {
 }
 
 TEST(NuisanceEstimation, TooFewTouchesAreRefusedByName) {
-  Two two(ConstraintKind::OnBall);
-  two.constraints.features[0].radius = two.constraints.features[1].radius = 12.7;
+  Two two(OnBall{12.7}, OnBall{12.7});
   two.read(0, touches(first, 12.7 + tip_radius, 6, 1));
   Eigen::Matrix3Xd three = touches(second, 12.7 + tip_radius, 3, 2);
   two.read(1, three);
@@ -94,7 +91,7 @@ TEST(NuisanceEstimation, TooFewTouchesAreRefusedByName) {
 
 // Centres 500.3 mm apart move along their line, by 0.15 mm each, to the certified 500 mm.
 TEST(NuisanceEstimation, CertifiedDistancesAreMetByTheLeastShift) {
-  Two two(ConstraintKind::OnBall);
+  Two two(OnBall{}, OnBall{});
   two.constraints.distances = {{0, 1, 500.0, 1e-3, true}};
   Unknowns unknowns;
   unknowns.groups.resize(1);

@@ -27,7 +27,7 @@ struct Block {
     std::mt19937_64 engine(faces.size() + 7);
     std::uniform_real_distribution<double> spread(-width / 2, width / 2);
     FeatureConstraint& face = constraints.features[faces.size()];
-    face.kind = ConstraintKind::OnPlane;
+    face.kind = OnPlane{};
     face.offset = 2 + static_cast<int>(faces.size());
     face.readings.resize(static_cast<std::size_t>(count));
     Eigen::Matrix3Xd centres(3, count), styluses(3, count);
@@ -118,8 +118,7 @@ TEST(PlaneStart, AGaugePointsToWhereItsHeightsRise) {
   block.touch(60.0, 1.0, 8.0);
   const double heights[] = {0.0, 20.0, 60.0}, facing[] = {1.0, -1.0, 1.0};
   for (std::size_t face = 0; face < 3; ++face) {
-    block.constraints.features[face].height = heights[face];
-    block.constraints.features[face].facing = facing[face];
+    block.constraints.features[face].kind = OnPlane{{}, GaugeFace{facing[face], heights[face]}};
     block.constraints.features[face].offset = 2;
   }
   const auto found = estimate_planes(block.faces, block.constraints, "face \"A\"");

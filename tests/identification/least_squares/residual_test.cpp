@@ -10,7 +10,6 @@ namespace {
 struct Case {
   Location location;
   ConstraintKind kind;
-  double facing = 0.0;
 };
 
 /// Everything a residual depends on, as one vector: tip (3), tip radius, group (6), shared (4).
@@ -27,14 +26,13 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
     constraint.kind = GetParam().kind;
     constraint.readings = {0};
     constraint.known = {100.0 * random.direction()};
-    constraint.distances = {40.0};
-    constraint.normal = random.direction();
+    const Eigen::Vector3d normal = random.direction();
     constraint.expansion = 1.25;
     constraint.offset = constraint.location == Location::Unknown ? 3 : 0;
-    constraint.facing = GetParam().facing;
-    constraint.height = 70.0;
-    constraint.first_error = constraint.location == Location::Unknown && constraint.facing == 0.0 ? -1 : 0;
-    constraint.shared_radius = constraint.kind == ConstraintKind::OnBall ? 3 : -1;
+    if (auto* lengths = constraint.as<AtDistance>()) lengths->distances = {40.0};
+    if (auto* ball = constraint.as<OnBall>()) ball->shared_radius = 3;
+    if (auto* plane = constraint.as<OnPlane>()) plane->normal = normal;
+    if (constraint.location != Location::Unknown || constraint.face() != nullptr) constraint.first_error = 0;
     const GroupReference reference{random.rotation(), 50.0 * random.direction(), 200.0, {1.0, -1.0}};
     Arguments at;
     at.head<3>() = 300.0 * random.direction();
@@ -47,13 +45,13 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
     };
     const FeatureResidual residual(constraint, reference, at.data() + 4, at.data() + 10);
     const Residual r = residual.at(0, at.head<3>(), at[3], true);
-    ASSERT_EQ(r.rows, GetParam().kind == ConstraintKind::Coincide ? 3 : 1);
+    ASSERT_EQ(r.rows, constraint.is<Coincide>() ? 3 : 1);
     Eigen::Matrix<double, 3, 14> slope = Eigen::Matrix<double, 3, 14>::Zero();
     slope.leftCols<3>() = r.by_tip;
     slope(0, 3) = r.by_tip_radius;
     for (int i = 0; i < residual.columns(); ++i) slope.col(4 + residual.column(i)) = r.by_unknowns.col(i);
-    if (constraint.first_error >= 0) slope.middleCols<3>(10) = r.by_errors;
-    if (constraint.shared_radius >= 0) slope(0, 13) = r.by_ball_radius;
+    if (constraint.first_error) slope.middleCols<3>(10) = r.by_errors;
+    if (constraint.shared_radius()) slope(0, 13) = r.by_ball_radius;
     for (int i = 0; i < at.size(); ++i) {
       const Arguments step = 1e-5 * Arguments::Unit(i);
       const Eigen::Vector3d difference = (residual_at(at + step).value - residual_at(at - step).value) / 2e-5;
@@ -62,25 +60,23 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, ResidualDerivatives,
-    ::testing::Values(
-        Case{Location::Unknown, ConstraintKind::Coincide}, Case{Location::Unknown, ConstraintKind::AtDistance},
-        Case{Location::Unknown, ConstraintKind::OnBall}, Case{Location::Unknown, ConstraintKind::OnPlane},
-        Case{Location::Unknown, ConstraintKind::OnPlane, 1.0}, Case{Location::Unknown, ConstraintKind::OnPlane, -1.0},
-        Case{Location::Posed, ConstraintKind::Coincide}, Case{Location::Posed, ConstraintKind::AtDistance},
-        Case{Location::Posed, ConstraintKind::OnBall}, Case{Location::Posed, ConstraintKind::OnPlane},
-        Case{Location::Base, ConstraintKind::Coincide}, Case{Location::Base, ConstraintKind::AtDistance},
-        Case{Location::Base, ConstraintKind::OnBall}, Case{Location::Base, ConstraintKind::OnPlane}));
+INSTANTIATE_TEST_SUITE_P(Kinds, ResidualDerivatives,
+                         ::testing::Values(Case{Location::Unknown, Coincide{}}, Case{Location::Unknown, AtDistance{}},
+                                           Case{Location::Unknown, OnBall{}}, Case{Location::Unknown, OnPlane{}},
+                                           Case{Location::Unknown, OnPlane{{}, GaugeFace{1.0, 70.0}}},
+                                           Case{Location::Unknown, OnPlane{{}, GaugeFace{-1.0, 70.0}}},
+                                           Case{Location::Posed, Coincide{}}, Case{Location::Posed, AtDistance{}},
+                                           Case{Location::Posed, OnBall{}}, Case{Location::Posed, OnPlane{}},
+                                           Case{Location::Base, Coincide{}}, Case{Location::Base, AtDistance{}},
+                                           Case{Location::Base, OnBall{}}, Case{Location::Base, OnPlane{}}));
 
 // Signed: inside the ball is negative, outside positive, no jump between.
 TEST(Residual, OfABallIsSigned) {
   FeatureConstraint ball;
   ball.location = Location::Base;
-  ball.kind = ConstraintKind::OnBall;
+  ball.kind = OnBall{7.0};
   ball.readings = {0};
   ball.known = {Eigen::Vector3d::Zero()};
-  ball.radius = 7.0;
   const FeatureResidual residual(ball, {}, nullptr, nullptr);
   EXPECT_DOUBLE_EQ(residual.at(0, {9.0, 0.0, 0.0}, 3.0, false).value[0], -1.0);
   EXPECT_DOUBLE_EQ(residual.at(0, {0.0, 12.0, 0.0}, 3.0, false).value[0], 2.0);

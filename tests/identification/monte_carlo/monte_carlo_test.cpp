@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/recording/recording_file.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "identification/monte_carlo/reidentification.h"
 #include "identification/monte_carlo/trial_inputs.h"
 #include "tests/support/simulated_session.h"
@@ -35,9 +36,8 @@ Example identified(Recording recording, Constraints constraints) {
 }
 
 Example identified_example(const std::string& name) {
-  Recording recording = *read_recording(test::example(name + "/recording.toml"));
-  Constraints constraints = *read_constraints(recording);
-  return identified(std::move(recording), std::move(constraints));
+  auto bound = bind_recording(*read_recording(test::example(name + "/recording.toml")));
+  return identified(std::move(bound->recording), std::move(bound->constraints));
 }
 
 MonteCarloOptions few_quantities() {

@@ -4,7 +4,7 @@
 #include <artcal/acquisition/arm/forward_kinematics.h>
 #include <artcal/acquisition/recording/recording_file.h>
 #include <artcal/acquisition/recording/tip_centres.h>
-#include <artcal/artefacts/constraints/constraint.h>
+#include <artcal/artefacts/constraints/bound_recording.h>
 #include <artcal/artefacts/verification/decision/specification_file.h>
 #include <artcal/artefacts/verification/verify.h>
 #include <artcal/core/random.h>
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -22,38 +23,38 @@ bool refuse(const artcal::Error& error) {
   return false;
 }
 
+artcal::Expected<artcal::BoundRecording> bind(artcal::Recording&& recording) {
+  return artcal::bind_recording(std::move(recording));
+}
+
 bool calibrates(const std::string& examples) {
-  auto readings = artcal::read_recording(examples + "/ball-bar/recording.toml");
+  const auto readings = artcal::read_recording(examples + "/ball-bar/recording.toml").and_then(bind);
   if (!readings) {
     return refuse(readings.error());
   }
-  const auto constraints = artcal::read_constraints(*readings);
-  if (!constraints) {
-    return refuse(constraints.error());
-  }
   artcal::IdentifyOptions options;
-  options.noise = readings->noise;
+  options.noise = readings->recording.noise;
   options.leave_out = false;
-  const auto identified = artcal::identify(*readings, *constraints, options);
+  const auto identified = artcal::identify(readings->recording, readings->constraints, options);
   if (!identified) {
     return refuse(identified.error());
   }
-  auto test = artcal::read_recording(examples + "/iso10360-12/recording.toml");
+  const auto test = artcal::read_recording(examples + "/iso10360-12/recording.toml").and_then(bind);
   const auto specification = artcal::read_specification_file(examples + "/iso10360-12/specification.toml");
   if (!test || !specification) {
     return refuse(test ? specification.error() : test.error());
   }
-  const auto artefacts = artcal::read_constraints(*test);
-  const auto tips = artcal::tip_centres(*test, identified->arm);
-  if (!artefacts || !tips) {
-    return refuse(artefacts ? tips.error() : artefacts.error());
+  const auto tips = artcal::tip_centres(test->recording, identified->arm);
+  if (!tips) {
+    return refuse(tips.error());
   }
-  const auto verdict = artcal::verify({*test, *artefacts, identified->arm, *tips, specification->specification},
-                                      artcal::Standard::Iso10360_12);
+  const auto verdict =
+      artcal::verify({test->recording, test->constraints, identified->arm, *tips, specification->specification},
+                     artcal::Standard::Iso10360_12);
   if (!verdict) {
     return refuse(verdict.error());
   }
-  std::printf("%zu readings identified %zu parameters; %zu values verified\n", readings->readings.size(),
+  std::printf("%zu readings identified %zu parameters; %zu values verified\n", readings->recording.readings.size(),
               identified->free.size(), verdict->verification.values.size());
   return identified->free.size() >= 21 && verdict->verification.values.size() >= 105;
 }

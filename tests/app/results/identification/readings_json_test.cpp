@@ -7,7 +7,7 @@
 
 #include "acquisition/recording/recording_file.h"
 #include "app/results/identification/result_json.h"
-#include "artefacts/constraints/constraint.h"
+#include "artefacts/constraints/bound_recording.h"
 #include "identification/identify.h"
 
 namespace artcal {
@@ -18,8 +18,10 @@ using ::testing::DoubleNear;
 using ::testing::Le;
 
 Json identified(const std::string& example) {
-  auto recording = read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/" + example + "/recording.toml").value();
-  const auto constraints = read_constraints(recording).value();
+  const auto [recording, constraints] =
+      bind_recording(
+          read_recording(std::string(ARTCAL_SOURCE_DIR) + "/examples/" + example + "/recording.toml").value())
+          .value();
   IdentifyOptions options;
   options.leave_out = false;
   const auto result = identify(recording, constraints, options).value();
