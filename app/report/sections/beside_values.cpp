@@ -6,6 +6,7 @@
 
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
+#include "app/results/verification/recorded_plate.h"
 #include "app/results/verification/recorded_value.h"
 #include "artefacts/verification/decision/specification.h"
 #include "core/units.h"
@@ -16,49 +17,42 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
-void write_plate(const Json& plate, Sheet& sheet) {
-  const std::string repeat = text_in(plate, "repeat");
-  sheet.part(shown(fmt::format("{}, placement {}{}", text_in(plate, "artefact"), text_in(plate, "placement"),
-                               repeat.empty() ? "" : ", repeat " + repeat)));
+void write_plate(const RecordedPlate& plate, Sheet& sheet) {
+  sheet.part(shown(fmt::format("{}, placement {}{}", plate.artefact, plate.placement,
+                               plate.repeat.empty() ? "" : ", repeat " + plate.repeat)));
   sheet.paragraph(fmt::format("{}: residuals {} µm rms, scale {:+.2f} ppm (u {:.2f}), worst |En| of a distance {:.2f}.",
-                              plural(plate.at("balls").size(), "ball"), micrometres(plate.at("rms_mm")),
-                              plate.at("scale_ppm").get<double>(), plate.at("u_scale_ppm").get<double>(),
-                              plate.at("en_worst").get<double>()));
-  if (!plate.at("finding").is_null()) {
-    sheet.note("⚠ " + plate.at("finding").get<std::string>());
+                              plural(plate.balls.size(), "ball"), micrometres(plate.rms), plate.scale_ppm,
+                              plate.u_scale_ppm, plate.en_worst));
+  if (!plate.finding.empty()) {
+    sheet.note("⚠ " + plate.finding);
   }
   html::Table table(
       "Residuals of the balls in the plate's axes, µm",
       {{"ball", false, true}, {"x"}, {"y"}, {"z"}, {"standardised"}, {"", false, false, false, false, true}});
-  for (const Json& ball : plate.at("balls")) {
-    const Json& residual = ball.at("residual_mm");
-    const bool is_outlier = ball.at("stands_out");
-    table.add_markup({html::cell(shown(text_in(ball, "feature"))), signed_micrometres(residual.at(0)),
-                      signed_micrometres(residual.at(1)), signed_micrometres(residual.at(2)),
-                      fmt::format("{:.1f}", ball.at("standardised").get<double>()), is_outlier ? "⚠ outlier" : ""},
-                     is_outlier ? "notable" : "");
+  for (const RecordedPlate::Ball& ball : plate.balls) {
+    table.add_markup({html::cell(shown(ball.feature)), signed_micrometres(ball.residual.x()),
+                      signed_micrometres(ball.residual.y()), signed_micrometres(ball.residual.z()),
+                      fmt::format("{:.1f}", ball.standardised), ball.is_outlier ? "⚠ outlier" : ""},
+                     ball.is_outlier ? "notable" : "");
   }
   sheet.table(table);
 }
 
-void write_calibration(const Json& calibration, Sheet& sheet) {
-  sheet.part(fmt::format("The plate {} itself", shown(text_in(calibration, "artefact"))));
+void write_calibration(const RecordedCalibration& calibration, Sheet& sheet) {
+  sheet.part(fmt::format("The plate {} itself", shown(calibration.artefact)));
   sheet.paragraph(fmt::format("By {}, turned by at least {:.0f}° against each other; the scale is the arm's.",
-                              plural(calibration.at("placements").get<std::size_t>(), "placement"),
-                              calibration.at("least_turn_rad").get<double>() / units::degree));
+                              plural(calibration.placements, "placement"), calibration.least_turn / units::degree));
   html::Table table("Centres, mm, and what they differ by from the certificate, µm",
                     {{"ball", false, true}, {"x"}, {"y"}, {"z"}, {"Δx"}, {"Δy"}, {"Δz"}, {"u"}});
-  for (const Json& ball : calibration.at("balls")) {
-    const Json& at = ball.at("at_mm");
-    const Json& off = ball.at("deviation_mm");
-    table.add({shown(text_in(ball, "feature")), mm(at.at(0)), mm(at.at(1)), mm(at.at(2)), signed_micrometres(off.at(0)),
-               signed_micrometres(off.at(1)), signed_micrometres(off.at(2)),
-               fmt::format("{:.2f}", number_in(ball.at("u_mm")) / units::micrometre)});
+  for (const RecordedCalibration::Ball& ball : calibration.balls) {
+    table.add({shown(ball.feature), mm(ball.at.x()), mm(ball.at.y()), mm(ball.at.z()),
+               signed_micrometres(ball.deviation.x()), signed_micrometres(ball.deviation.y()),
+               signed_micrometres(ball.deviation.z()), fmt::format("{:.2f}", ball.u / units::micrometre)});
   }
   sheet.table(table);
 }
 
-void write_articulations(const Json& articulations, Sheet& sheet) {
+void write_articulations(const std::vector<Articulation>& articulations, Sheet& sheet) {
   html::Table table("Seats, µm: scatter of a single point while the wrist turns", {{"placement", false, true},
                                                                                    {"feature", false},
                                                                                    {"readings"},
@@ -67,22 +61,20 @@ void write_articulations(const Json& articulations, Sheet& sheet) {
                                                                                    {"half range x"},
                                                                                    {"y"},
                                                                                    {"z"}});
-  for (const Json& seat : articulations) {
-    const Json& half = seat.at("half_range_mm");
-    table.add({shown(text_in(seat, "placement")), shown(text_in(seat, "feature")),
-               fmt::format("{}", seat.at("readings").get<std::size_t>()), micrometres(seat.at("largest_mm")),
-               micrometres(seat.at("twice_s_mm")), micrometres(half.at(0)), micrometres(half.at(1)),
-               micrometres(half.at(2))});
+  for (const Articulation& seat : articulations) {
+    table.add({shown(seat.placement), shown(seat.feature), fmt::format("{}", seat.readings), micrometres(seat.largest),
+               micrometres(seat.twice_s), micrometres(seat.half_range.x()), micrometres(seat.half_range.y()),
+               micrometres(seat.half_range.z())});
   }
   sheet.table(table);
 }
 
-void write_volumetric(const Json& summary, Sheet& sheet) {
-  sheet.facts({{"Volumetric", plural(summary.at("lengths").get<std::size_t>(), "length")},
-               {"Maximum", micrometres(summary.at("largest_mm")) + " µm"},
-               {"Range", micrometres(summary.at("range_mm")) + " µm"},
-               {"2 RMS about zero", micrometres(summary.at("twice_rms_mm")) + " µm"},
-               {"2 s about the mean", micrometres(summary.at("twice_s_mm")) + " µm"}});
+void write_volumetric(const VolumetricSummary& summary, Sheet& sheet) {
+  sheet.facts({{"Volumetric", plural(static_cast<std::size_t>(summary.lengths), "length")},
+               {"Maximum", micrometres(summary.largest) + " µm"},
+               {"Range", micrometres(summary.range) + " µm"},
+               {"2 RMS about zero", micrometres(summary.twice_rms) + " µm"},
+               {"2 s about the mean", micrometres(summary.twice_s) + " µm"}});
 }
 
 void write_drifts(const Json& interim, Sheet& sheet) {
@@ -115,13 +107,13 @@ void write_beside_values(const Json& verification, Sheet& sheet) {
     write_drifts(verification.at("interim"), sheet);
   }
   if (!verification.at("volumetric").is_null()) {
-    write_volumetric(verification.at("volumetric"), sheet);
+    write_volumetric(recorded_volumetric(verification.at("volumetric")), sheet);
   }
-  write_articulations(verification.at("articulations"), sheet);
-  for (const Json& plate : verification.at("plates")) {
+  write_articulations(recorded_articulations(verification.at("articulations")), sheet);
+  for (const RecordedPlate& plate : recorded_plates(verification.at("plates"))) {
     write_plate(plate, sheet);
   }
-  for (const Json& calibration : verification.at("plate_calibrations")) {
+  for (const RecordedCalibration& calibration : recorded_calibrations(verification.at("plate_calibrations"))) {
     write_calibration(calibration, sheet);
   }
 }

@@ -13,6 +13,7 @@
 #include "app/report/sections/correlation.h"
 #include "app/report/sections/lengths.h"
 #include "app/report/sections/readings.h"
+#include "app/results/evaluation/recorded_evaluation.h"
 #include "app/results/shown_unit.h"
 
 namespace artcal {
@@ -20,6 +21,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using namespace numbers;
+
+/// How the readings of an identification deviate.
+struct Judged {
+  RecordedEvaluation before, after;
+  std::vector<RecordedLeftOut> left_out;
+};
+
+Judged judged_in(const Json& result) {
+  return {recorded_evaluation(result.at("before")), recorded_evaluation(result.at("after")),
+          recorded_left_out(result.at("left_out"))};
+}
 
 /// All placements that were left out, put together.
 struct LeftOutDeviations {
@@ -29,28 +41,26 @@ struct LeftOutDeviations {
   double worst_length = 0.0;  // its error
 };
 
-double worst_error(const Json& lengths) {
+double worst_error(const std::vector<RecordedLength>& lengths) {
   double worst = 0.0;
-  for (const Json& length : lengths) {
-    const double error = number_in(length.at("error_mm"));
-    worst = std::isnan(error) ? error : worst;
-    worst = std::abs(error) > std::abs(worst) ? error : worst;
+  for (const RecordedLength& length : lengths) {
+    worst = std::isnan(length.error) ? length.error : worst;
+    worst = std::abs(length.error) > std::abs(worst) ? length.error : worst;
   }
   return worst;
 }
 
-LeftOutDeviations left_out_of(const Json& result) {
+LeftOutDeviations all_of(const std::vector<RecordedLeftOut>& left_out) {
   LeftOutDeviations all;
   double squares = 0.0;
-  for (const Json& left : result.at("left_out")) {
-    const auto readings = left.at("readings").get<std::size_t>();
-    const double rms = left.at("rms_mm");
-    all.readings += readings;
-    squares += static_cast<double>(readings) * rms * rms;
-    const double worst = worst_error(left.at("lengths"));
-    all.lengths += left.at("lengths").size();
+  for (const RecordedLeftOut& left : left_out) {
+    const RecordedDeviation& deviation = left.deviation;
+    all.readings += deviation.readings;
+    squares += static_cast<double>(deviation.readings) * deviation.rms * deviation.rms;
+    const double worst = worst_error(left.lengths);
+    all.lengths += left.lengths.size();
     all.worst_length = std::abs(worst) > std::abs(all.worst_length) ? worst : all.worst_length;
-    all.maximum = std::max(all.maximum, left.at("maximum_mm").get<double>());
+    all.maximum = std::max(all.maximum, deviation.maximum);
   }
   all.rms = all.readings > 0 ? std::sqrt(squares / static_cast<double>(all.readings)) : 0.0;
   return all;
@@ -63,20 +73,17 @@ std::size_t identified_count(const Json& result) {
   }));
 }
 
-void write_before_and_after(const Json& result, Sheet& sheet) {
-  const Json& before = result.at("before");
-  const Json& after = result.at("after");
-  const LeftOutDeviations left = left_out_of(result);
+void write_before_and_after(const Judged& judged, Sheet& sheet) {
+  const auto& [before, after, left_out] = judged;
+  const LeftOutDeviations left = all_of(left_out);
   const auto left_or_dash = [&](double value) { return left.readings > 0 ? mm(value) : "–"; };
   html::Table table("Deviation of the readings, mm",
                     {{"", false, true}, {"before"}, {"after"}, {"cross-validation", true, false, false, true}});
-  table.add({"root mean square", mm(number_in(before.at("overall").at("rms_mm"))), mm(after.at("overall").at("rms_mm")),
-             left_or_dash(left.rms)});
-  table.add({"largest", mm(number_in(before.at("overall").at("maximum_mm"))), mm(after.at("overall").at("maximum_mm")),
-             left_or_dash(left.maximum)});
-  if (!after.at("lengths").empty()) {
-    table.add({"worst certified length, error", signed_mm(worst_error(before.at("lengths"))),
-               signed_mm(worst_error(after.at("lengths"))), left.lengths > 0 ? signed_mm(left.worst_length) : "–"});
+  table.add({"root mean square", mm(before.overall.rms), mm(after.overall.rms), left_or_dash(left.rms)});
+  table.add({"largest", mm(before.overall.maximum), mm(after.overall.maximum), left_or_dash(left.maximum)});
+  if (!after.lengths.empty()) {
+    table.add({"worst certified length, error", signed_mm(worst_error(before.lengths)),
+               signed_mm(worst_error(after.lengths)), left.lengths > 0 ? signed_mm(left.worst_length) : "–"});
   }
   sheet.table(table);
   if (left.readings > 0) {
@@ -86,9 +93,7 @@ void write_before_and_after(const Json& result, Sheet& sheet) {
   }
 }
 
-void write_placements(const Json& result, Sheet& sheet) {
-  const Json& after = result.at("after").at("placements");
-  const Json& before = result.at("before").at("placements");
+void write_placements(const Judged& judged, Sheet& sheet) {
   html::Table table("Deviation by placement, rms, mm", {{"artefact", false},
                                                         {"placement", false, true},
                                                         {"readings"},
@@ -96,19 +101,18 @@ void write_placements(const Json& result, Sheet& sheet) {
                                                         {"after"},
                                                         {"largest after"},
                                                         {"cross-val.", true, false, false, true}});
-  std::map<std::pair<std::string, std::string>, const Json*> left_out;
-  for (const Json& left : result.at("left_out")) {
-    left_out.emplace(std::pair(text_in(left, "artefact"), text_in(left, "placement")), &left);
+  std::map<std::pair<std::string, std::string>, const RecordedLeftOut*> left_out;
+  for (const RecordedLeftOut& left : judged.left_out) {
+    left_out.emplace(std::pair(left.deviation.artefact, left.deviation.placement), &left);
   }
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const Json& row = after[i];
-    const auto left = left_out.find({text_in(row, "artefact"), text_in(row, "placement")});
-    const std::string left_rms = left == left_out.end()                  ? "–"
-                                 : left->second->at("refusal").is_null() ? mm(left->second->at("rms_mm"))
-                                                                         : "not possible";
-    table.add({shown(text_in(row, "artefact")), shown(text_in(row, "placement")),
-               fmt::format("{}", row.at("readings").get<std::size_t>()), mm(number_in(before.at(i).at("rms_mm"))),
-               mm(row.at("rms_mm")), mm(row.at("maximum_mm")), left_rms});
+  for (std::size_t i = 0; i < judged.after.placements.size(); ++i) {
+    const RecordedDeviation& row = judged.after.placements[i];
+    const auto left = left_out.find({row.artefact, row.placement});
+    const std::string left_rms = left == left_out.end()     ? "–"
+                                 : left->second->is_refused ? "not possible"
+                                                            : mm(left->second->deviation.rms);
+    table.add({shown(row.artefact), shown(row.placement), fmt::format("{}", row.readings),
+               mm(judged.before.placements.at(i).rms), mm(row.rms), mm(row.maximum), left_rms});
   }
   sheet.table(table);
 }
@@ -212,13 +216,12 @@ void write_outliers(const Json& outliers, Sheet& sheet) {
 void write_identification_verdict(const Json& result, Sheet& sheet) {
   const std::size_t warnings = result.at("warnings").size();
   const std::size_t outliers = result.at("outliers").size();
-  const LeftOutDeviations left = left_out_of(result);
+  const Judged judged = judged_in(result);
+  const LeftOutDeviations left = all_of(judged.left_out);
   std::string text = fmt::format(
       "{} of {} parameters. Readings deviate by {} mm rms, {} mm at most; by the nominal arm {} mm and {} mm.",
-      identified_count(result), result.at("parameters").size(), mm(result.at("after").at("overall").at("rms_mm")),
-      mm(result.at("after").at("overall").at("maximum_mm")),
-      mm(number_in(result.at("before").at("overall").at("rms_mm"))),
-      mm(number_in(result.at("before").at("overall").at("maximum_mm"))));
+      identified_count(result), result.at("parameters").size(), mm(judged.after.overall.rms),
+      mm(judged.after.overall.maximum), mm(judged.before.overall.rms), mm(judged.before.overall.maximum));
   if (left.readings > 0) {
     const Json& model = result.at("model");
     const bool chose = model.contains("chosen_by_left_out") && model.at("chosen_by_left_out").get<bool>();
@@ -234,7 +237,7 @@ void write_identification_verdict(const Json& result, Sheet& sheet) {
     text += fmt::format(" See {}{}{} below.", first, warnings > 0 && outliers > 0 ? " and " : "", second);
   }
   if (left.readings == 0) {
-    text += result.at("after").at("placements").size() < 2
+    text += judged.after.placements.size() < 2
                 ? " Nothing could be left out for cross-validation, for there is one placement: what the arm measures "
                   "elsewhere is not known."
                 : " Nothing was left out for cross-validation: what the arm measures elsewhere is not known.";
@@ -250,8 +253,9 @@ void write_identification_verdict(const Json& result, Sheet& sheet) {
 void write_identification(const Json& result, Sheet& sheet) {
   const bool has_readings = result.contains("residuals");
   const ReportedReadings readings = has_readings ? readings_in(result) : ReportedReadings();
-  write_before_and_after(result, sheet);
-  write_placements(result, sheet);
+  const Judged judged = judged_in(result);
+  write_before_and_after(judged, sheet);
+  write_placements(judged, sheet);
   if (has_readings) {
     sheet.figure(residuals_by_placement(result, readings));
   } else {
@@ -261,8 +265,8 @@ void write_identification(const Json& result, Sheet& sheet) {
   if (has_readings) {
     sheet.figure(scene_of(result, readings));
   }
-  if (!result.at("after").at("lengths").empty()) {
-    write_length_errors(result, sheet);
+  if (!judged.after.lengths.empty()) {
+    write_length_errors(judged.before, judged.after, judged.left_out, sheet);
   }
   sheet.part("Parameters");
   write_parameters(result, sheet);

@@ -18,53 +18,39 @@ using namespace numbers;
 
 // A length by its artefact, its placement and its two ends.
 using LengthKey = std::array<std::string, 4>;
-LengthKey key_of(const Json& length) {
-  return {text_in(length, "artefact"), text_in(length, "placement"), text_in(length, "first"),
-          text_in(length, "second")};
+LengthKey key_of(const RecordedLength& length) {
+  return {length.artefact, length.placement, length.first, length.second};
 }
 
 // Lengths by an arm identified without their placement.
-std::map<LengthKey, const Json*> left_out_lengths(const Json& left_out) {
-  std::map<LengthKey, const Json*> lengths;
-  for (const Json& left : left_out) {
-    for (const Json& length : left.at("lengths")) {
+std::map<LengthKey, const RecordedLength*> left_out_lengths(const std::vector<RecordedLeftOut>& left_out) {
+  std::map<LengthKey, const RecordedLength*> lengths;
+  for (const RecordedLeftOut& left : left_out) {
+    for (const RecordedLength& length : left.lengths) {
       lengths.emplace(key_of(length), &length);
     }
   }
   return lengths;
 }
 
-// Results of earlier versions have the length at the temperature of the placement alone, as `certified_mm`.
-double at_temperature(const Json& length) {
-  return length.contains("at_temperature_mm") ? length.at("at_temperature_mm") : length.at("certified_mm");
-}
-std::string certified(const Json& length) {
-  return length.contains("certified_at_C") ? mm(length.at("certified_mm")) : "–";
-}
-std::string certified_at(const Json& length) {
-  return length.contains("certified_at_C") ? fmt::format("{:.4g}", length.at("certified_at_C").get<double>()) : "–";
-}
-
-Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
+Figure figure_of(const std::vector<RecordedLength>& after, const std::vector<const RecordedLength*>& left_out) {
   double largest = 0.0;
-  for (const Json& length : after) {
-    largest = std::max(largest, std::abs(length.at("error_mm").get<double>()));
+  for (const RecordedLength& length : after) {
+    largest = std::max(largest, std::abs(length.error));
   }
-  for (const Json* left : left_out) {
-    largest = std::max(largest, left == nullptr ? 0.0 : std::abs(left->at("error_mm").get<double>()));
+  for (const RecordedLength* left : left_out) {
+    largest = std::max(largest, left == nullptr ? 0.0 : std::abs(left->error));
   }
   const bool any_left_out =
-      std::any_of(left_out.begin(), left_out.end(), [](const Json* left) { return left != nullptr; });
+      std::any_of(left_out.begin(), left_out.end(), [](const RecordedLength* left) { return left != nullptr; });
   const DrawnUnit unit = drawn_unit(largest);
   Json x = Json::array(), fitted = Json::array(), unseen = Json::array(), names = Json::array();
   for (std::size_t i = 0; i < after.size(); ++i) {
-    const Json& length = after[i];
-    x.push_back(at_temperature(length));
-    fitted.push_back(drawn(unit.per_mm * length.at("error_mm").get<double>()));
-    unseen.push_back(left_out[i] == nullptr ? Json(nullptr)
-                                            : drawn(unit.per_mm * left_out[i]->at("error_mm").get<double>()));
-    names.push_back(shown(
-        fmt::format("{}: {} – {}", text_in(length, "placement"), text_in(length, "first"), text_in(length, "second"))));
+    const RecordedLength& length = after[i];
+    x.push_back(length.at_temperature);
+    fitted.push_back(drawn(unit.per_mm * length.error));
+    unseen.push_back(left_out[i] == nullptr ? Json(nullptr) : drawn(unit.per_mm * left_out[i]->error));
+    names.push_back(shown(fmt::format("{}: {} – {}", length.placement, length.first, length.second)));
   }
   return {"Errors of the certified lengths over length",
           fmt::format("Measured less certified; the largest is {} mm.{}", mm(largest),
@@ -81,9 +67,8 @@ Figure figure_of(const Json& after, const std::vector<const Json*>& left_out) {
 
 }  // namespace
 
-void write_length_errors(const Json& identification, Sheet& sheet) {
-  const Json& before = identification.at("before").at("lengths");
-  const Json& after = identification.at("after").at("lengths");
+void write_length_errors(const RecordedEvaluation& before, const RecordedEvaluation& after,
+                         const std::vector<RecordedLeftOut>& left_out, Sheet& sheet) {
   html::Table table("Certified lengths as the arm measures them, errors in mm",
                     {{"placement", false, true},
                      {"between", false},
@@ -93,20 +78,20 @@ void write_length_errors(const Json& identification, Sheet& sheet) {
                      {"before"},
                      {"after"},
                      {"cross-val.", true, false, false, true}});
-  const auto without_placement = left_out_lengths(identification.at("left_out"));
-  std::vector<const Json*> left_out;  // null where there is none
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    const Json& length = after[i];
+  const auto without_placement = left_out_lengths(left_out);
+  std::vector<const RecordedLength*> unseen;  // null where there is none
+  for (std::size_t i = 0; i < after.lengths.size(); ++i) {
+    const RecordedLength& length = after.lengths[i];
     const auto left = without_placement.find(key_of(length));
-    left_out.push_back(left == without_placement.end() ? nullptr : left->second);
-    table.add({shown(text_in(length, "placement")),
-               shown(text_in(length, "first")) + " – " + shown(text_in(length, "second")), certified(length),
-               certified_at(length), mm(at_temperature(length)), signed_mm(number_in(before.at(i).at("error_mm"))),
-               signed_mm(length.at("error_mm")),
-               left_out.back() == nullptr ? "–" : signed_mm(left_out.back()->at("error_mm"))});
+    unseen.push_back(left == without_placement.end() ? nullptr : left->second);
+    table.add({shown(length.placement), shown(length.first) + " – " + shown(length.second),
+               length.certified ? mm(*length.certified) : "–",
+               length.certified_at ? fmt::format("{:.4g}", *length.certified_at) : "–", mm(length.at_temperature),
+               signed_mm(before.lengths.at(i).error), signed_mm(length.error),
+               unseen.back() == nullptr ? "–" : signed_mm(unseen.back()->error)});
   }
   sheet.part("Certified lengths");
-  sheet.figure(figure_of(after, left_out));
+  sheet.figure(figure_of(after.lengths, unseen));
   sheet.table(table);
 }
 

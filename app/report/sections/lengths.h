@@ -1,13 +1,15 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "app/report/sheet.h"
+#include "app/results/evaluation/recorded_evaluation.h"
 
 namespace artcal {
 
 /// The certified lengths of an identification, each measured and not fitted: table and picture.
-/// Throws std::exception where the JSON is not as docs/result-schema.md says.
-void write_length_errors(const nlohmann::ordered_json& identification, Sheet& sheet);
+/// REQUIRES: `before` and `after` have the same lengths in the same order.
+void write_length_errors(const RecordedEvaluation& before, const RecordedEvaluation& after,
+                         const std::vector<RecordedLeftOut>& left_out, Sheet& sheet);
 
 }  // namespace artcal
