@@ -96,11 +96,11 @@ Expected<int> identify_and_tell(const Request& request) {
     return tl::unexpected(checked.error());
   }
   const auto start = Clock::now();
-  const auto bound = request.recording.read_bound();
+  auto bound = request.recording.read_bound();
   if (!bound) {
     return tl::unexpected(bound.error());
   }
-  const auto& [recording, constraints] = *bound;
+  auto& [recording, constraints] = *bound;
   auto options = identify_options_of(request, recording);
   if (!options) {
     return tl::unexpected(options.error());
