@@ -24,8 +24,12 @@ bool asks_for_errors(const std::vector<Parameter>& parameters) {
 void joint_sines(std::span<const double> q, std::span<double> sines) {
   assert(sines.size() == 2 * q.size());
   for (std::size_t i = 0; i < q.size(); ++i) {
+#if defined(__GLIBC__)
+    ::sincos(q[i], &sines[2 * i], &sines[2 * i + 1]);  // the bits of sin and cos in half of the time
+#else
     sines[2 * i] = std::sin(q[i]);
     sines[2 * i + 1] = std::cos(q[i]);
+#endif
   }
 }
 
@@ -114,6 +118,46 @@ Eigen::Vector3d ForwardKinematics::tip_in_base(const JointReading& reading, doub
   put(derivative, column_tip_[1], last.y);
   put(derivative, column_tip_[2], last.z);
   return tip;
+}
+
+void ForwardKinematics::tips_in_base(std::span<const JointReading> readings, double* tips, double* derivative) const {
+  static_assert(max_links >= max_joints);
+  assert(readings.size() <= postures_at_once);
+  constexpr std::size_t few = 2;  // are done one by one as fast
+  if (has_errors() || readings.size() <= few) {
+    std::vector<double> own(derivative != nullptr ? static_cast<std::size_t>(3 * columns_) : 0);
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      const Eigen::Vector3d tip =
+          derivative != nullptr ? tip_in_base(readings[i], own.data()) : tip_in_base(readings[i]);
+      for (int k = 0; k < 3; ++k) {
+        tips[k * postures_at_once + static_cast<int>(i)] = tip[k];
+      }
+      for (std::size_t k = 0; k < own.size(); ++k) {
+        derivative[k * postures_at_once + i] = own[k];
+      }
+    }
+    return;
+  }
+  alignas(64) double sines[2 * max_joints * postures_at_once];
+  alignas(64) double q[max_joints * postures_at_once];
+  const std::size_t joints = links_.size();
+  for (std::size_t i = 0; i < postures_at_once; ++i) {
+    const JointReading& reading = readings[std::min(i, readings.size() - 1)];  // lanes that nobody reads
+    for (std::size_t k = 0; k < 2 * joints; ++k) {
+      sines[k * postures_at_once + i] = reading.sines[k];
+    }
+    for (std::size_t k = 0; k < joints; ++k) {
+      assert(!links_[k].is_prismatic || !reading.q.empty());
+      q[k * postures_at_once + i] = links_[k].is_prismatic ? reading.q[k] : 0.0;
+    }
+  }
+  const Chain chain{convention_ == Convention::Modified,
+                    static_cast<int>(joints),
+                    links_.data(),
+                    {tip_in_last_.x(), tip_in_last_.y(), tip_in_last_.z()},
+                    {column_tip_[0], column_tip_[1], column_tip_[2]},
+                    columns_};
+  chain_variants().back().pass(chain, sines, q, tips, derivative);
 }
 
 Eigen::Vector3d ForwardKinematics::tip_by_joints(const JointReading& reading, double* derivative) const {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "acquisition/arm/arm.h"
+#include "acquisition/arm/kernels/chain.h"
 #include "acquisition/arm/parameters.h"
 
 namespace artcal {
@@ -70,6 +71,10 @@ class ForwardKinematics {
   /// mm per unit of the parameter; columns of other probes' tips are zero.
   Eigen::Vector3d tip_in_base(const JointReading& reading, double* derivative) const;
 
+  /// The same of up to postures_at_once readings, to the last bit, in a fraction of the time: `tips` become [3][8] and
+  /// `derivative`, which may be null, [column_count()][3][8], the i-th reading's numbers at i of the eight.
+  void tips_in_base(std::span<const JointReading> readings, double* tips, double* derivative) const;
+
   /// The same, and its derivative by the joint readings q: 3 × joint_count(), column-major, mm per rad, of a prismatic
   /// joint mm per mm.
   Eigen::Vector3d tip_by_joints(const JointReading& reading, double* derivative) const;
@@ -79,15 +84,7 @@ class ForwardKinematics {
   Eigen::Vector3d axes_in_base(const JointReading& reading, double* directions, double* points) const;
 
  private:
-  struct Link {
-    double a, d, sign;
-    double sin_theta, cos_theta;  // of the zero offset
-    double sin_alpha, cos_alpha;
-    double sin_beta, cos_beta;
-    bool has_beta, is_prismatic;
-    // Column of each parameter in the derivative, or -1.
-    int column_a, column_d, column_theta, column_alpha, column_beta;
-  };
+  using Link = ChainLink;
   struct LinkErrors {
     JointErrors size;
     Eigen::Vector3d weight;                      // N

@@ -30,7 +30,7 @@ RefitWithout refit_from(const System& system, const Estimate& estimate, const Re
   if (with_noise.loss != Loss::None || !estimate.weak.empty() || !estimate.fixed.empty()) {
     return {};
   }
-  auto refit = PlacementRefit::of(system, fit, recording, with_noise.noise);
+  auto refit = PlacementRefit::of(system, fit, recording, with_noise.noise, with_noise.threads);
   if (!refit) {
     return {};
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "identification/initial/constraint_projection.h"
 #include "identification/initial/nuisance_estimation.h"
@@ -21,6 +22,19 @@ constexpr double converges = 0.5;
 // σ/σ1 below which only the analysis of a whole identification can determine a weak direction from a lost one: half the
 // digits are gone with the normal matrix.
 constexpr double surely_determined = 1e-5;
+constexpr int passes_of_a_column = 3;
+
+// An exact gradient takes a pass over all readings, of which each placement needs two; the expansion takes two for each
+// of its columns and as much again for their products.
+bool is_worth_expanding(const System& system, const std::vector<std::optional<Placement>>& places) {
+  std::set<Placement> placements;
+  for (const auto& place : places) {
+    if (place) {
+      placements.insert(*place);
+    }
+  }
+  return static_cast<int>(placements.size()) > passes_of_a_column * (system.shared_size() + system.arm_size());
+}
 
 PlacedLinearisation placed_linearisation(const System& system, const Weights& weights, const std::vector<Block>& blocks,
                                          const std::vector<std::optional<Placement>>& places, const Arm& arm,
@@ -31,7 +45,7 @@ PlacedLinearisation placed_linearisation(const System& system, const Weights& we
 }  // namespace
 
 Expected<PlacementRefit> PlacementRefit::of(const System& system, const ArmFit& fit, const Recording& recording,
-                                            const Noise& noise) {
+                                            const Noise& noise, int threads, std::optional<bool> expand) {
   const Constraints& constraints = *system.constraints;
   PlacementRefit refit;
   refit.system_ = &system;
@@ -58,6 +72,9 @@ Expected<PlacementRefit> PlacementRefit::of(const System& system, const ArmFit& 
         placed_linearisation(moved, refit.weights_, refit.blocks_, refit.places_, fit.arm, *unknowns));
   } else {
     refit.consistent_ = refit.at_fit_;
+  }
+  if (expand.value_or(is_worth_expanding(system, refit.places_))) {
+    refit.expansion_ = GradientExpansion::of(system, fit, noise, refit.weights_, refit.blocks_, refit.places_, threads);
   }
   return refit;
 }
@@ -95,7 +112,7 @@ PlacementRefit::Refit PlacementRefit::refit_of(Arm arm, const GramTree::Without&
   const auto scale = system_->scale.asDiagonal();
   Eigen::MatrixXd covariance = scale * factor.arm_covariance() * scale;
   Eigen::MatrixXd bound = std::max(1.0, squares / degrees_of_freedom) * covariance;
-  return {std::move(arm), std::move(covariance), std::move(bound)};
+  return {std::move(arm), std::move(covariance), std::move(bound), false};
 }
 
 std::optional<PlacementRefit::Refit> PlacementRefit::without(const Placement& placement) const {
@@ -110,6 +127,13 @@ std::optional<PlacementRefit::Refit> PlacementRefit::without(const Placement& pl
   const auto rank = consistent_ == at_fit_ ? factor : consistent_->tree.without(placement);
   if (!rank || !(rank->condition() > surely_determined)) {
     return std::nullopt;
+  }
+  if (expansion_) {
+    if (const auto minimum = expansion_->without(placement); minimum && minimum->left < close_enough) {
+      Refit refit = refit_of(system_->arm_at(minimum->x.data()), *factor, freedom);
+      refit.expanded = true;
+      return refit;
+    }
   }
   GradientScratch scratch = gradient_scratch(*system_);
   scratch.blocks.clear();

@@ -51,9 +51,10 @@ EffectColumns::EffectColumns(const System& system, const Recording& recording)
 void EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
                        Eigen::Ref<Eigen::VectorXd> rotations) const {
   const int joints = kinematics.joint_count();
-  Eigen::Matrix3Xd by_joint(3, joints);
-  Eigen::Matrix3Xd axes(3, joints);
-  Eigen::Matrix3Xd points(3, joints);
+  using OfJoints = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_joints>;
+  OfJoints by_joint(3, joints);
+  OfJoints axes(3, joints);
+  OfJoints points(3, joints);
   const Eigen::Vector3d tip = kinematics.tip_by_joints(system_.sines_of(reading), by_joint.data());
   kinematics.axes_in_base(system_.sines_of(reading), axes.data(), points.data());
   const Eigen::Vector3d down = system_.start.gravity_in_base.normalized();
@@ -83,7 +84,9 @@ void EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::
         out.setZero();
         continue;
     }
-    tips.middleCols(family.first, family.columns) = by_joint.col(family.joint) * out.transpose();
+    for (int i = 0; i < family.columns; ++i) {
+      tips.col(family.first + i) = by_joint.col(family.joint) * out[i];
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -55,27 +56,42 @@ std::optional<std::size_t> standing_out(const std::vector<Size>& sizes, double f
   return worst;
 }
 
+/// Quantiles of chi-squared; features have as many readings as each other as a rule.
+class Quantiles {
+ public:
+  double operator()(double probability, double freedom) {
+    const auto [known, is_new] = known_.try_emplace({probability, freedom}, 0.0);
+    if (is_new) {
+      known->second = chi_squared_quantile(probability, freedom);
+    }
+    return known->second;
+  }
+
+ private:
+  std::map<std::pair<double, double>, double> known_;
+};
+
 double spare_readings(const FeatureDeviation& feature) { return std::max(1, feature.readings - own_unknowns); }
 
 // The standard deviation of a reading by the median of the features: n·rms² is σ²χ² with the readings to spare.
 double usual_deviation(const std::vector<FeatureDeviation>& features) {
+  Quantiles quantile;
   std::vector<double> deviations;
   for (const FeatureDeviation& feature : features) {
-    deviations.push_back(feature.rms *
-                         std::sqrt(feature.readings / chi_squared_quantile(0.5, spare_readings(feature))));
+    deviations.push_back(feature.rms * std::sqrt(feature.readings / quantile(0.5, spare_readings(feature))));
   }
   return deviations.empty() ? 0.0 : median(deviations);
 }
 
-Size size_of(const FeatureDeviation& feature, double sigma, std::size_t count) {
-  const double middle = chi_squared_quantile(0.5, spare_readings(feature));
-  const double most = chi_squared_quantile(1.0 - false_alarms / static_cast<double>(count), spare_readings(feature));
+Size size_of(const FeatureDeviation& feature, double sigma, std::size_t count, Quantiles& quantile) {
+  const double middle = quantile(0.5, spare_readings(feature));
+  const double most = quantile(1.0 - false_alarms / static_cast<double>(count), spare_readings(feature));
   return {feature.rms, feature.rms * std::sqrt(feature.readings / middle) / std::max(sigma, smallest),
           std::sqrt(most / middle)};
 }
 
 // Of a length that is known to millimetres only, millimetres say nothing.
-Size size_of(const LengthDeviation& length, double sigma, std::size_t count) {
+Size size_of(const LengthDeviation& length, double sigma, std::size_t count, Quantiles& /*quantile*/) {
   const double error = std::abs(length.error);
   if (error <= beyond_certificate * length.u) {
     return {};
@@ -87,9 +103,10 @@ Size size_of(const LengthDeviation& length, double sigma, std::size_t count) {
 
 template <typename Deviation>
 const Deviation* standing_out(const std::vector<Deviation>& deviations, double sigma, double far_off) {
+  Quantiles quantile;
   std::vector<Size> sizes;
   for (const Deviation& deviation : deviations) {
-    sizes.push_back(size_of(deviation, sigma, deviations.size()));
+    sizes.push_back(size_of(deviation, sigma, deviations.size(), quantile));
   }
   const auto worst = standing_out(sizes, far_off);
   return worst ? &deviations[*worst] : nullptr;

@@ -24,18 +24,19 @@ constexpr double min_max_length_change = 100.0;            // mm
 constexpr double max_angle_change = 30.0 * units::degree;  // rad
 constexpr double max_zero_change = 90.0 * units::degree;   // rad
 
-double max_change(const Parameter& parameter, const Arm& nominal) {
+double max_change(const Parameter& parameter, double reach_of_nominal) {
   if (parameter.is_length()) {
-    return std::max(min_max_length_change, max_length_change_per_reach * reach(nominal));
+    return std::max(min_max_length_change, max_length_change_per_reach * reach_of_nominal);
   }
   return parameter.kind == ParameterKind::Theta ? max_zero_change : max_angle_change;
 }
 
-bool left_bounds(const Parameter& parameter, const Arm& nominal, const Arm& identified) {
+bool left_bounds(const Parameter& parameter, const Arm& nominal, double reach_of_nominal, const Arm& identified) {
   if (!parameter.is_length() && !parameter.is_angle()) {
     return false;  // joint errors have bounds of their own, see check_joint_errors()
   }
-  return !(std::abs(value(identified, parameter) - value(nominal, parameter)) <= max_change(parameter, nominal));
+  return !(std::abs(value(identified, parameter) - value(nominal, parameter)) <=
+           max_change(parameter, reach_of_nominal));
 }
 
 std::string in_unit(const Parameter& parameter, double change) {
@@ -96,8 +97,9 @@ double noise_ratio(const ArmFit& fit, Loss loss) {
 }
 
 bool is_plausible(const Arm& nominal, const Arm& identified, const std::vector<Parameter>& free) {
+  const double whole = reach(nominal);
   return std::none_of(free.begin(), free.end(),
-                      [&](const Parameter& parameter) { return left_bounds(parameter, nominal, identified); });
+                      [&](const Parameter& parameter) { return left_bounds(parameter, nominal, whole, identified); });
 }
 
 std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, const Arm& nominal,
@@ -110,8 +112,9 @@ std::vector<std::string> misfits(const ArmFit& fit, const Evaluation& after, con
   if (loss == Loss::None) {
     judge_lengths(fit, after, noise, reasons);
   }
+  const double whole = reach(nominal);
   for (const Parameter& parameter : free) {
-    if (left_bounds(parameter, nominal, fit.arm)) {
+    if (left_bounds(parameter, nominal, whole, fit.arm)) {
       const double change = value(fit.arm, parameter) - value(nominal, parameter);
       reasons.push_back(fmt::format("{} moved by {} from its nominal value, more than an arm's does", parameter.name,
                                     in_unit(parameter, change)));

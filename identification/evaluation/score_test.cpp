@@ -20,6 +20,11 @@ Eigen::VectorXd leverage_adjusted(const Eigen::VectorXd& residuals, const std::v
   Eigen::VectorXd adjusted = residuals;
   for (const ObservationRows& observation : observations) {
     const Eigen::Index size = observation.hat.rows();
+    if (size == 1) {
+      const double value = 1.0 - observation.hat(0, 0);
+      adjusted[observation.first] *= value > least_redundancy ? 1.0 / std::sqrt(value) : 0.0;
+      continue;
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> redundancy(Eigen::MatrixXd::Identity(size, size) -
                                                                     observation.hat);
     const Eigen::VectorXd factors = redundancy.eigenvalues().unaryExpr(
@@ -42,6 +47,10 @@ double score_statistic(const Eigen::MatrixXd& columns, const Eigen::VectorXd& re
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(units, columns.cols());
   for (const ObservationRows& observation : observations) {
     const Eigen::Index size = observation.hat.rows();
+    if (size == 1) {
+      scores.row(observation.unit) += adjusted[observation.first] * columns.row(observation.first);
+      continue;
+    }
     scores.row(observation.unit) +=
         adjusted.segment(observation.first, size).transpose() * columns.middleRows(observation.first, size);
   }

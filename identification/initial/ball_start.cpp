@@ -56,18 +56,27 @@ struct Fitted {
 std::optional<Fitted> refine_centre(const Eigen::Matrix3Xd& p, const Eigen::VectorXd& rho, double size,
                                     Eigen::Vector3d centre) {
   double squares = 0.0;
+  // Coordinate by coordinate: roots and quotients of several readings at once, each as of one alone.
+  const Eigen::Array<double, Eigen::Dynamic, 3> points = p.transpose();
+  Eigen::Array<double, Eigen::Dynamic, 3> away(p.cols(), 3);
+  Eigen::ArrayXd lengths(p.cols());
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     squares = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      away.col(k) = centre[k] - points.col(k);
+    }
+    lengths = ((away.col(0).square() + away.col(1).square()) + away.col(2).square()).sqrt();
+    if (!(lengths > 0.0).all()) {
+      return std::nullopt;
+    }
+    for (int k = 0; k < 3; ++k) {
+      away.col(k) /= lengths;
+    }
     for (Eigen::Index i = 0; i < p.cols(); ++i) {
-      const Eigen::Vector3d away = centre - p.col(i);
-      const double length = away.norm();
-      if (!(length > 0.0)) {
-        return std::nullopt;
-      }
-      const Eigen::Vector3d outwards = away / length;
-      const double miss = rho[i] - length;
+      const Eigen::Vector3d outwards(away(i, 0), away(i, 1), away(i, 2));
+      const double miss = rho[i] - lengths[i];
       normal.noalias() += outwards * outwards.transpose();
       gradient += miss * outwards;
       squares += miss * miss;

@@ -1,6 +1,8 @@
 #include "identification/initial/constraint_projection.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include <Eigen/LU>
 
@@ -36,6 +38,7 @@ bool needs_moving(const FeatureConstraint& feature, const Constraints& constrain
 int project_onto_constraints(System& system, const Recording& recording, const Arm& arm, const Unknowns& unknowns) {
   const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   const std::size_t width = arm.joints.size();
+  std::vector<std::optional<ReachWithJoints>> reach_by_probe(arm.probes.size());
   int left = 0;
   for (const auto& feature : system.constraints->features) {
     if (!needs_moving(feature, *system.constraints)) {
@@ -47,8 +50,12 @@ int project_onto_constraints(System& system, const Recording& recording, const A
       const int reading = feature.readings[k];
       const Eigen::Vector3d target =
           nearest(residual, k, kinematics_by_probe[system.probes[reading]], system.sines_of(reading));
-      const auto q = reach_with_joints(arm, system.probes[reading], target, recording.joints.col(reading),
-                                       system.temperatures[static_cast<std::size_t>(reading)]);
+      auto& reach = reach_by_probe[static_cast<std::size_t>(system.probes[reading])];
+      if (!reach) {
+        reach.emplace(arm, system.probes[reading]);
+      }
+      const auto q =
+          (*reach)(target, recording.joints.col(reading), system.temperatures[static_cast<std::size_t>(reading)]);
       if (!q) {
         ++left;
         continue;

@@ -65,8 +65,10 @@ struct State {
 
 // One fit from where the state is; false where the numbers break down.
 bool fit(State& state, double sigma, Loss loss) {
-  Solution solution = solve(state.system, coarse_weights(*state.system.constraints, sigma), state.x, state.unknowns,
-                            {loss, iterations, near_enough, state.prior});
+  SolveOptions options{loss, iterations, near_enough, state.prior};
+  options.folding = Folding::NormalEquations;
+  Solution solution =
+      solve(state.system, coarse_weights(*state.system.constraints, sigma), state.x, state.unknowns, options);
   if (solution.termination == Termination::Failed || !solution.x.allFinite()) {
     return false;
   }

@@ -5,7 +5,6 @@
 
 #include "core/overloaded.h"
 #include "identification/least_squares/elimination.h"
-#include "identification/least_squares/row_stack.h"
 
 namespace artcal {
 namespace {
@@ -32,20 +31,29 @@ double reweight(Loss loss, int dimension, const FeatureWeights& weights, int rea
 
 }  // namespace
 
-int max_rows(const System& system, Loss loss, const Block& block) {
+namespace {
+
+int rows_of(const System& system, Loss loss, const Block& block) {
   int rows = static_cast<int>(block.distances.size()) + (block.has_certificate ? block.parameters.size : 0);
   for (const int f : block.features) {
     const FeatureConstraint& feature = system.constraints->features[f];
     rows += feature.size() * feature.dimension();
   }
-  return std::min(rows + (loss == Loss::None ? 0 : 1), BlockColumns(block, system).all());
+  return rows + (loss == Loss::None ? 0 : 1);
+}
+
+}  // namespace
+
+int max_rows(const System& system, Loss loss, const Block& block) {
+  return std::min(rows_of(system, loss, block), BlockColumns(block, system).all());
 }
 
 Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss loss, const Block& block,
-                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point) {
+                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point,
+                           Folding folding) {
   const Constraints& constraints = *system.constraints;
   const BlockColumns columns(block, system);
-  RowStack stack(columns.all());
+  RowStack stack(columns.all(), folding, rows_of(system, loss, block));
   RowMatrix rows(3 * readings_at_once, columns.all());
   RowMatrix row(1, columns.all());
   double beyond = 0.0;
@@ -133,12 +141,18 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
 
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
                         const Arm& arm, const Unknowns& unknowns) {
+  return linearise(system, weights, loss, blocks, arm, unknowns, Folding::Reflections);
+}
+
+Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
+                        const Arm& arm, const Unknowns& unknowns, Folding folding) {
   const auto kinematics_by_probe = forward_kinematics_of(system, arm);
   Linearisation result;
   result.layout = layout_of(*system.constraints, system.arm_size());
   for (const Block& block : blocks) {
-    result.blocks.push_back({block.group, block.unknowns, block.parameters,
-                             block_rows(system, weights, loss, block, kinematics_by_probe, point_of(block, unknowns))});
+    result.blocks.push_back(
+        {block.group, block.unknowns, block.parameters,
+         block_rows(system, weights, loss, block, kinematics_by_probe, point_of(block, unknowns), folding)});
   }
   return result;
 }

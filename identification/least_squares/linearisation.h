@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "identification/least_squares/blocks.h"
+#include "identification/least_squares/row_stack.h"
 #include "identification/least_squares/rows.h"
 #include "identification/problem/loss.h"
 #include "identification/problem/system.h"
@@ -38,7 +39,8 @@ struct Linearisation {
 
 /// The rows of one block.
 Eigen::MatrixXd block_rows(const System& system, const Weights& weights, Loss loss, const Block& block,
-                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point);
+                           const std::vector<ForwardKinematics>& kinematics_by_probe, const BlockPoint& point,
+                           Folding folding = Folding::Reflections);
 
 /// Most rows that block_rows() can have.
 int max_rows(const System& system, Loss loss, const Block& block);
@@ -65,6 +67,8 @@ Linearisation linearise(const System& system, const Weights& weights, Loss loss,
 /// The same of these blocks only, such as blocks_of() divided further.
 Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
                         const Arm& arm, const Unknowns& unknowns);
+Linearisation linearise(const System& system, const Weights& weights, Loss loss, const std::vector<Block>& blocks,
+                        const Arm& arm, const Unknowns& unknowns, Folding folding);
 
 /// Weighted residual of what a certificate says of a shared unknown at `value`; its derivative is the weight.
 inline double weighted_shared(const ArtefactParameter& shared, double weight, double value) {

@@ -43,17 +43,18 @@ class KinematicsAt {
 /// in the first residual.
 class BlockCost final : public ceres::CostFunction {
  public:
-  BlockCost(const System& system, const Weights& weights, Loss loss, Block block, GroupReference reference,
-            const double* shared, KinematicsAt& kinematics_by_probe, BlockRows& rows)
+  BlockCost(const System& system, const Weights& weights, const SolveOptions& options, Block block,
+            GroupReference reference, const double* shared, KinematicsAt& kinematics_by_probe, BlockRows& rows)
       : system_(system),
         weights_(weights),
-        loss_(loss),
+        loss_(options.loss),
+        folding_(options.folding),
         block_(std::move(block)),
         reference_(std::move(reference)),
         shared_(shared),
         kinematics_by_probe_(kinematics_by_probe),
         rows_(rows) {
-    set_num_residuals(max_rows(system, loss, block_));
+    set_num_residuals(max_rows(system, loss_, block_));
     for (const int size : {system.arm_size(), block_.unknowns, block_.parameters.size}) {
       if (size > 0) {
         mutable_parameter_block_sizes()->push_back(size);
@@ -74,7 +75,7 @@ class BlockCost final : public ceres::CostFunction {
       out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, kinematics_by_probe_(x), point));
       return true;
     }
-    rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point);
+    rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point, folding_);
     const Eigen::MatrixXd& rows = rows_.rows;
     out.head(rows.rows()) = rows.rightCols<1>();
     next = 0;
@@ -96,6 +97,7 @@ class BlockCost final : public ceres::CostFunction {
   const System& system_;
   const Weights& weights_;
   Loss loss_;
+  Folding folding_;
   Block block_;
   GroupReference reference_;
   const double* shared_;
@@ -267,7 +269,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     }
     const GroupReference reference =
         block.group < 0 ? GroupReference{} : solution.unknowns.groups[block.group].reference;
-    auto cost = std::make_unique<BlockCost>(system, weights, options.loss, block, reference, numbers.shared(),
+    auto cost = std::make_unique<BlockCost>(system, weights, options, block, reference, numbers.shared(),
                                             kinematics_by_probe, linearisation.blocks[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }

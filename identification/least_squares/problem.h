@@ -16,6 +16,7 @@ struct SolveOptions {
   /// The cost and the linearisation of the solution count it.
   Eigen::VectorXd prior_weights = {};
   Eigen::VectorXd prior_at = {};  ///< the x that the prior is about; empty: 0
+  Folding folding = Folding::Reflections;
 };
 
 /// How a solve ended. Only Converged leaves numbers that may be used.

@@ -52,6 +52,10 @@ class FeatureResidual {
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int column(int i) const { return column_[i]; }
 
+  /// Of an unknown point or ball: where it is, mm; and the radius of the ball.
+  [[nodiscard]] const Eigen::Vector3d& point_in_base() const { return point_in_base_; }
+  [[nodiscard]] double ball_radius() const { return ball_radius_; }
+
   /// `reading` counts FeatureConstraint::readings.
   [[nodiscard]] Residual at(int reading, const Eigen::Vector3d& tip_in_base, double tip_radius, bool derivatives) const;
 

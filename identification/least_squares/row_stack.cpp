@@ -4,11 +4,32 @@
 
 namespace artcal {
 
-void RowStack::add(const RowsRef& rows) {
-  if (!factor_ && count_ + rows.rows() > columns_) {
+RowStack::RowStack(int columns, Folding folding, int expected)
+    : columns_(columns), folding_(folding), kept_(0, columns) {
+  if (expected > columns) {
+    begin_folding();
+  }
+}
+
+void RowStack::begin_folding() {
+  if (folding_ == Folding::NormalEquations) {
+    normal_.emplace(columns_);
+  } else {
     factor_.emplace(columns_);
-    factor_->add(kept_.topRows(count_));
+  }
+}
+
+void RowStack::add(const RowsRef& rows) {
+  if (!factor_ && !normal_ && count_ + rows.rows() > columns_) {
+    begin_folding();
+    if (count_ > 0) {
+      normal_ ? normal_->add(kept_.topRows(count_)) : factor_->add(kept_.topRows(count_));
+    }
     kept_.resize(0, 0);
+  }
+  if (normal_) {
+    normal_->add(rows);
+    return;
   }
   if (factor_) {
     factor_->add(rows);
@@ -21,6 +42,11 @@ void RowStack::add(const RowsRef& rows) {
   count_ += rows.rows();
 }
 
-Eigen::MatrixXd RowStack::rows() { return factor_ ? factor_->triangle() : Eigen::MatrixXd(kept_.topRows(count_)); }
+Eigen::MatrixXd RowStack::rows() {
+  if (normal_) {
+    return normal_->triangle();
+  }
+  return factor_ ? factor_->triangle() : Eigen::MatrixXd(kept_.topRows(count_));
+}
 
 }  // namespace artcal

@@ -1,35 +1,132 @@
 #include "identification/least_squares/rows.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
+
+#include "identification/least_squares/kernels/ball_rows.h"
 
 namespace artcal {
 namespace {
 
+// From one coordinate of a derivative to the next, and from one column to the next (ForwardKinematics::tips_in_base()).
+constexpr int coordinate_stride = postures_at_once;
+constexpr int column_stride = 3 * coordinate_stride;
+
 // out(row, ·) = whitening · by_tip · derivative · scale, for the reading's one or three rows.
-void put_arm_rows(const Eigen::Matrix3d& tip_to_rows, int rows, const std::vector<double>& derivative,
-                  const Eigen::VectorXd& scale, double* out, std::ptrdiff_t stride) {
+void put_arm_rows(const Eigen::Matrix3d& tip_to_rows, int rows, const double* derivative, const Eigen::VectorXd& scale,
+                  double* out, std::ptrdiff_t stride) {
   for (int row = 0; row < rows; ++row) {
     const double wx = tip_to_rows(row, 0);
     const double wy = tip_to_rows(row, 1);
     const double wz = tip_to_rows(row, 2);
     double* line = out + row * stride;
-    const double* d = derivative.data();
-    for (Eigen::Index column = 0; column < scale.size(); ++column, d += 3) {
-      line[column] = scale[column] * (wx * d[0] + wy * d[1] + wz * d[2]);
+    const double* d = derivative;
+    for (Eigen::Index column = 0; column < scale.size(); ++column, d += column_stride) {
+      line[column] = scale[column] * (wx * d[0] + wy * d[coordinate_stride] + wz * d[2 * coordinate_stride]);
     }
   }
 }
 
 // The frequent case of an unrotated residual with one weight for all directions: a scaled transpose.
-void put_arm_rows(double weight, const std::vector<double>& derivative, const Eigen::VectorXd& scale, double* out,
+void put_arm_rows(double weight, const double* derivative, const Eigen::VectorXd& scale, double* out,
                   std::ptrdiff_t stride) {
-  const double* d = derivative.data();
-  for (Eigen::Index column = 0; column < scale.size(); ++column, d += 3) {
+  const double* d = derivative;
+  for (Eigen::Index column = 0; column < scale.size(); ++column, d += column_stride) {
     const double w = weight * scale[column];
     out[column] = w * d[0];
-    out[column + stride] = w * d[1];
-    out[column + 2 * stride] = w * d[2];
+    out[column + stride] = w * d[coordinate_stride];
+    out[column + 2 * stride] = w * d[2 * coordinate_stride];
+  }
+}
+
+/// The tips of a feature's readings and their derivatives, in the order of the readings, eight at a time.
+class TipsOf {
+ public:
+  TipsOf(const System& system, const FeatureConstraint& feature,
+         const std::vector<ForwardKinematics>& kinematics_by_probe, bool derivatives)
+      : system_(system), feature_(feature), kinematics_by_probe_(kinematics_by_probe) {
+    derivatives_.resize(derivatives ? static_cast<std::size_t>(column_stride * std::max(1, system.arm_size())) : 0);
+  }
+
+  /// Moves to reading `k` of those before `end`.
+  void take(int k, int end) {
+    if (k >= first_ + count_ || k < first_) {
+      fill(k, end);
+    }
+    lane_ = k - first_;
+  }
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const double* tips() const { return tips_; }
+  [[nodiscard]] Eigen::Vector3d tip() const {
+    return {tips_[lane_], tips_[lane_ + coordinate_stride], tips_[lane_ + 2 * coordinate_stride]};
+  }
+  [[nodiscard]] const double* derivative() const { return derivatives_.data() + lane_; }
+
+ private:
+  // As many as the same probe took.
+  void fill(int k, int end) {
+    const int probe = system_.probes[feature_.readings[k]];
+    std::array<JointReading, postures_at_once> readings{reading(k), reading(k), reading(k), reading(k),
+                                                        reading(k), reading(k), reading(k), reading(k)};
+    first_ = k;
+    count_ = 1;
+    while (count_ < postures_at_once && k + count_ < end && system_.probes[feature_.readings[k + count_]] == probe) {
+      readings[static_cast<std::size_t>(count_)] = reading(k + count_);
+      ++count_;
+    }
+    kinematics_by_probe_[probe].tips_in_base({readings.data(), static_cast<std::size_t>(count_)}, tips_,
+                                             derivatives_.empty() ? nullptr : derivatives_.data());
+  }
+  [[nodiscard]] JointReading reading(int k) const { return system_.sines_of(feature_.readings[k]); }
+
+  const System& system_;
+  const FeatureConstraint& feature_;
+  const std::vector<ForwardKinematics>& kinematics_by_probe_;
+  std::vector<double> derivatives_;
+  alignas(64) double tips_[column_stride];
+  int first_ = 0, count_ = 0, lane_ = 0;
+};
+
+// Readings on a ball, or at known distances from a point, that is unknown, each with one weight.
+bool suits_ball_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights) {
+  return feature.location == Location::Unknown && !feature.first_error && weights.matrix.empty() &&
+         system.shifts.empty() && feature.has_centre();
+}
+
+void put_ball_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
+                   const std::vector<ForwardKinematics>& kinematics_by_probe, const FeatureResidual& residual,
+                   int first, int count, const RowsOut& out) {
+  BallRows* put = ball_rows_variants().back().put;
+  const auto* at_distance = feature.as<AtDistance>();
+  const auto shared_radius = feature.shared_radius();
+  const Eigen::Vector3d& centre = residual.point_in_base();
+  TipsOf tips(system, feature, kinematics_by_probe, out.by_arm != nullptr);
+  BallReadings readings{tips.tips(), nullptr, system.arm_size(), {centre.x(), centre.y(), centre.z()}, {}, {}};
+  for (int i = 0; i < count; i += tips.count()) {
+    const int k = first + i;
+    tips.take(k, first + count);
+    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[feature.readings[k]]];
+    for (int lane = 0; lane < tips.count(); ++lane) {
+      readings.lengths[lane] =
+          at_distance == nullptr ? residual.ball_radius() + kinematics.tip_radius() : at_distance->distances[k + lane];
+      readings.weights[lane] = weights.scalar[k + lane];
+    }
+    readings.derivative = tips.derivative();
+    const std::ptrdiff_t at = i * out.stride;
+    put(readings, system.scale.data(), tips.count(), out.stride, out.residuals + at,
+        out.by_group != nullptr ? out.by_group + at + residual.column(0) : nullptr,
+        out.by_arm != nullptr ? out.by_arm + at : nullptr);
+    for (int lane = 0; lane < tips.count(); ++lane) {
+      const std::ptrdiff_t row = at + lane * out.stride;
+      if (const int column = kinematics.radius_column(); column >= 0 && out.by_arm != nullptr) {
+        out.by_arm[row + column] =
+            readings.weights[lane] * (at_distance == nullptr ? -1.0 : 0.0) * system.scale[column];
+      }
+      if (out.by_shared != nullptr && shared_radius) {
+        out.by_shared[row + *shared_radius - out.first_shared] = readings.weights[lane] * -feature.expansion;
+      }
+    }
   }
 }
 
@@ -38,18 +135,22 @@ void put_arm_rows(double weight, const std::vector<double>& derivative, const Ei
 void weighted_rows(const System& system, const FeatureConstraint& feature, const FeatureWeights& weights,
                    const std::vector<ForwardKinematics>& kinematics_by_probe, const FeatureResidual& residual,
                    int first, int count, const RowsOut& out) {
+  if (suits_ball_rows(system, feature, weights)) {
+    put_ball_rows(system, feature, weights, kinematics_by_probe, residual, first, count, out);
+    return;
+  }
   const int rows = feature.dimension();
   const bool derivatives = out.by_arm != nullptr || out.by_group != nullptr || out.by_shared != nullptr;
   const bool plain = weights.matrix.empty() && feature.is<Coincide>() && feature.location != Location::Posed;
   const auto first_error = feature.first_error;
   const auto shared_radius = feature.shared_radius();
-  std::vector<double> by_parameters(static_cast<std::size_t>(3 * system.arm_size()));
+  TipsOf tips(system, feature, kinematics_by_probe, out.by_arm != nullptr);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const int reading = feature.readings[k];
     const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
-    Eigen::Vector3d tip = out.by_arm != nullptr ? kinematics.tip_in_base(system.sines_of(reading), by_parameters.data())
-                                                : kinematics.tip_in_base(system.sines_of(reading));
+    tips.take(k, first + count);
+    Eigen::Vector3d tip = tips.tip();
     if (!system.shifts.empty()) {
       tip += system.shifts[reading];
     }
@@ -63,11 +164,11 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
     }
     if (out.by_arm != nullptr) {
       if (plain) {
-        put_arm_rows(weights.scalar[k], by_parameters, system.scale, out.by_arm + at, out.stride);
+        put_arm_rows(weights.scalar[k], tips.derivative(), system.scale, out.by_arm + at, out.stride);
       } else {
         Eigen::Matrix3d tip_to_rows = r.by_tip;
         tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
-        put_arm_rows(tip_to_rows, rows, by_parameters, system.scale, out.by_arm + at, out.stride);
+        put_arm_rows(tip_to_rows, rows, tips.derivative(), system.scale, out.by_arm + at, out.stride);
       }
       if (const int column = kinematics.radius_column(); column >= 0 && rows == 1) {
         out.by_arm[at + column] = whitening(0, 0) * r.by_tip_radius * system.scale[column];

@@ -46,8 +46,9 @@ Reidentification::Answer Reidentification::solve(const System& drawn, Scratch& s
   while (answer.steps < max_steps_of_a_trial) {
     ArrowFactor::Step step;
     if (answer.steps > 0 && !shrinks) {
-      const Linearisation here = linearise(drawn, fit_->weights, options_.loss,
-                                           drawn.arm_at(numbers.data() + layout_.arm), unknowns_at(numbers));
+      const Linearisation here = linearise(drawn, fit_->weights, options_.loss, scratch.gradient.blocks,
+                                           drawn.arm_at(numbers.data() + layout_.arm), unknowns_at(numbers),
+                                           Folding::NormalEquations);  // for steps only
       auto factor = ArrowFactor::of(here);
       if (!factor) {
         break;

@@ -1,6 +1,32 @@
 #include "identification/problem/system.h"
 
+#include <cstring>
+
 namespace artcal {
+namespace {
+
+// Those of the recording that this thread asked for last are kept: an identification makes a dozen systems of it.
+std::vector<double> sines_of(const Eigen::MatrixXd& joints) {
+  constexpr Eigen::Index max_kept = 1 << 16;  // more are not worth their memory
+  const auto compute = [&] {
+    std::vector<double> sines(2 * static_cast<std::size_t>(joints.size()));
+    joint_sines({joints.data(), static_cast<std::size_t>(joints.size())}, sines);
+    return sines;
+  };
+  if (joints.size() == 0 || joints.size() > max_kept) {
+    return compute();
+  }
+  thread_local Eigen::MatrixXd of;
+  thread_local std::vector<double> sines;
+  if (of.rows() != joints.rows() || of.cols() != joints.cols() ||
+      std::memcmp(of.data(), joints.data(), sizeof(double) * static_cast<std::size_t>(joints.size())) != 0) {
+    sines = compute();
+    of = joints;
+  }
+  return sines;
+}
+
+}  // namespace
 
 const GroupState& state_of(const FeatureConstraint& feature, const Unknowns& unknowns) {
   static const GroupState none;
@@ -26,11 +52,9 @@ System make_system(const Recording& recording, const Constraints& constraints, c
   for (int i = 0; i < system.arm_size(); ++i) {
     system.scale[i] = physical_scale(system.free[i], length);
   }
-  const auto joints = static_cast<std::size_t>(recording.joints.rows());
   system.joints.assign(recording.joints.data(), recording.joints.data() + recording.joints.size());
-  system.sines.resize(2 * joints * recording.readings.size());
+  system.sines = sines_of(recording.joints);
   for (std::size_t i = 0; i < recording.readings.size(); ++i) {
-    joint_sines({recording.joints.data() + joints * i, joints}, {system.sines.data() + 2 * joints * i, 2 * joints});
     system.probes.push_back(recording.readings[i].probe);
     system.temperatures.push_back(recording.readings[i].arm_temperature);
   }

@@ -76,35 +76,44 @@ Weights posture_weights(const System& system, const Arm& arm, const Unknowns& un
   Weights weights;
   weights.distances = distance_weights(constraints);
   weights.shared = shared_weights(constraints);
-  Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(arm.joints.size()));
   for (const auto& feature : constraints.features) {
     const GroupState& group = state_of(feature, unknowns);
     const FeatureResidual residual(feature, group.reference, group.values.data(), unknowns.shared.data());
-    FeatureWeights& out = weights.features.emplace_back();
-    for (int k = 0; k < feature.size(); ++k) {
-      const int reading = feature.readings[k];
-      const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
-      const Eigen::Vector3d tip = kinematics.tip_by_joints(system.sines_of(reading), by_joints.data());
-      for (std::size_t i = 0; i < arm.joints.size(); ++i) {
-        if (arm.joints[i].is_prismatic()) {
-          by_joints.col(static_cast<Eigen::Index>(i)).setZero();  // its noise is a length, part of `probing`
-        }
+    weights.features.push_back(posture_weights(system, feature, residual, kinematics_by_probe, arm, encoder, probing));
+  }
+  return weights;
+}
+
+FeatureWeights posture_weights(const System& system, const FeatureConstraint& feature, const FeatureResidual& residual,
+                               const std::vector<ForwardKinematics>& kinematics_by_probe, const Arm& arm,
+                               double encoder, double probing) {
+  Eigen::Matrix3Xd by_joints(3, static_cast<Eigen::Index>(arm.joints.size()));
+  FeatureWeights out;
+  for (int k = 0; k < feature.size(); ++k) {
+    const int reading = feature.readings[k];
+    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
+    const Eigen::Vector3d tip = kinematics.tip_by_joints(system.sines_of(reading), by_joints.data());
+    for (std::size_t i = 0; i < arm.joints.size(); ++i) {
+      if (arm.joints[i].is_prismatic()) {
+        by_joints.col(static_cast<Eigen::Index>(i)).setZero();  // its noise is a length, part of `probing`
       }
-      const Residual r = residual.at(k, tip, kinematics.tip_radius(), true);
-      const Eigen::Matrix3d tip_covariance =
-          probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();
+    }
+    const Residual r = residual.at(k, tip, kinematics.tip_radius(), true);
+    const Eigen::Matrix3d tip_covariance =
+        probing * probing * Eigen::Matrix3d::Identity() + encoder * encoder * by_joints * by_joints.transpose();
+    if (r.rows == 1) {
+      const Eigen::RowVector3d slope = r.by_tip.row(0);
+      const double variance = (slope * tip_covariance).dot(slope) + feature.u * feature.u;
+      out.scalar.push_back(1.0 / std::sqrt(variance));
+    } else {
       const auto slope = r.by_tip.topRows(r.rows);
       Eigen::MatrixXd covariance = slope * tip_covariance * slope.transpose();
       covariance.diagonal().array() += feature.u * feature.u;
-      if (r.rows == 1) {
-        out.scalar.push_back(1.0 / std::sqrt(covariance(0, 0)));
-      } else {
-        const Eigen::Matrix3d lower = Eigen::Matrix3d(covariance).llt().matrixL();
-        out.matrix.emplace_back(lower.triangularView<Eigen::Lower>().solve(Eigen::Matrix3d::Identity()));
-      }
+      const Eigen::Matrix3d lower = Eigen::Matrix3d(covariance).llt().matrixL();
+      out.matrix.emplace_back(lower.triangularView<Eigen::Lower>().solve(Eigen::Matrix3d::Identity()));
     }
   }
-  return weights;
+  return out;
 }
 
 Weights first_weights(const System& system, const Arm& arm, const Unknowns& unknowns, const Noise& noise) {

@@ -10,6 +10,7 @@
 #include "app/output/phrases.h"
 #include "app/requests/identify_request.h"
 #include "app/results/identification/input_warnings.h"
+#include "identification/inspection/ball_touches.h"
 #include "identification/inspection/explanation.h"
 
 namespace artcal {
@@ -133,7 +134,7 @@ InspectedIdentification inspect_result(Expected<Identification> result, const Re
   }
   if (run.result) {
     if (run.result->misfits.empty()) {
-      const Findings more = find_undetermined_centres(recording, constraints, run.result->arm);
+      const Findings more = find_undetermined_centres(recording, constraints, run.result->after);
       findings.insert(findings.end(), more.begin(), more.end());
     }
     for (const Finding& finding : findings) {

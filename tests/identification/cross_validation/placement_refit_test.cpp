@@ -61,7 +61,15 @@ test::Bound session(const Artefact& artefact, int placements, int readings) {
   return test::bind(std::move(simulation->recording), {artefact});
 }
 
-void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int max_left = 0) {
+/// What a session is to show beside that refits are identifications of the other placements.
+struct Demand {
+  int max_left = 0;            ///< placements left to the whole identification, at most
+  std::optional<bool> expand;  ///< by the expansion of the gradient
+  int min_expanded = 0;        ///< placements that it was enough for, at least
+  double tolerance = 2e-8;     ///< mm
+};
+
+void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, const Demand& demand = {}) {
   IdentifyOptions options;
   options.noise = noise;
   const auto prepared = prepare(bound.recording, bound.constraints, options, Alignment::None);
@@ -69,10 +77,11 @@ void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int
   const auto fit = fit_arm(bound.recording, bound.constraints, prepared->start, prepared->free, noise, {});
   ASSERT_TRUE(fit) << fit.error().text();
   const System system = make_system(bound.recording, bound.constraints, fit->arm, prepared->free);
-  const auto refit = PlacementRefit::of(system, *fit, bound.recording, noise);
+  const auto refit = PlacementRefit::of(system, *fit, bound.recording, noise, 2, demand.expand);
   ASSERT_TRUE(refit) << refit.error().text();
   std::set<Placement> placements;
   int left_to_the_whole_identification = 0;
+  int expanded = 0;
   for (const FeatureConstraint& feature : bound.constraints.features) {
     placements.insert({feature.artefact, feature.placement});
   }
@@ -89,16 +98,19 @@ void expect_as_identified_anew(const test::Bound& bound, const Noise& noise, int
       ++left_to_the_whole_identification;
       continue;
     }
+    expanded += found->expanded ? 1 : 0;
     double moved = 0.0;
     for (int i = 0; i < system.arm_size(); ++i) {
       const Parameter& parameter = prepared->free[i];
-      EXPECT_NEAR(value(found->arm, parameter) / system.scale[i], value(anew->arm, parameter) / system.scale[i], 2e-8)
+      EXPECT_NEAR(value(found->arm, parameter) / system.scale[i], value(anew->arm, parameter) / system.scale[i],
+                  demand.tolerance)
           << parameter.name << " without placement " << placement.second;  // mm
       moved = std::max(moved, std::abs(value(found->arm, parameter) - value(fit->arm, parameter)) / system.scale[i]);
     }
     EXPECT_GT(moved, 1e-4) << "nothing was left out";
   }
-  EXPECT_LE(left_to_the_whole_identification, max_left);
+  EXPECT_LE(left_to_the_whole_identification, demand.max_left);
+  EXPECT_GE(expanded, demand.min_expanded);
 }
 
 Noise of_a_reading(double sigma) {
@@ -112,7 +124,7 @@ TEST(PlacementRefit, OfAPlateIsTheIdentificationOfTheOtherPlacements) {
 }
 
 TEST(PlacementRefit, OfABarInManyPlacementsIsTheIdentificationOfTheOthers) {
-  expect_as_identified_anew(session(bar(), 14, 30), of_a_reading(0.02), 2);
+  expect_as_identified_anew(session(bar(), 14, 30), of_a_reading(0.02), {2, {}, 0});
 }
 
 TEST(PlacementRefit, FollowsWeightsThatDependOnThePosture) {
@@ -120,6 +132,17 @@ TEST(PlacementRefit, FollowsWeightsThatDependOnThePosture) {
   noise.encoder = 5.0 / 3600.0 * std::numbers::pi / 180.0;
   noise.probing = 0.002;
   expect_as_identified_anew(session(plate(), 4, 60), noise);
+}
+
+TEST(PlacementRefit, ByTheExpansionIsTheIdentificationOfTheOthers) {
+  expect_as_identified_anew(session(bar(), 40, 24), of_a_reading(0.02), {2, true, 30});
+}
+
+TEST(PlacementRefit, ByTheExpansionFollowsWeightsThatDependOnThePosture) {
+  Noise noise;
+  noise.encoder = 5.0 / 3600.0 * std::numbers::pi / 180.0;
+  noise.probing = 0.002;
+  expect_as_identified_anew(session(bar(), 40, 24), noise, {2, true, 30, 3e-8});
 }
 
 TEST(PlacementRefit, OfSeatsWhoseReadingsMustBeMovedForTheRank) {
