@@ -75,6 +75,7 @@ struct Outlier {
   double standardised = 0.0;  ///< length of the residual in standard deviations
   double limit = 0.0;         ///< what chance allows of it
   double deviation = 0.0;     ///< mm
+  bool is_signed = true;      ///< the deviation has a sign; a distance from a point has none
   double weight = 1.0;        ///< by which the loss made it count, 0 to 1
 };
 

@@ -1,7 +1,6 @@
 #include "acquisition/csv/csv.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <unordered_set>
 
@@ -9,6 +8,7 @@
 
 #include "core/number_range.h"
 #include "core/text/decimal_comma.h"
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
@@ -148,16 +148,14 @@ Expected<bool> CsvReader::next() {
 }
 
 Expected<double> CsvReader::number(std::size_t column, std::string_view expected) const {
-  std::string_view text = field(column);
-  const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc{} || end != digits.data() + digits.size() || !is_in_range(value)) {
+  const std::string_view text = field(column);
+  const auto value = decimal_number(text);
+  if (!value || !is_in_range(*value)) {
     return bad_input(fmt::format("column {}: found {}, expected {}{}", header_[column],
                                  text.empty() ? "nothing" : in_quotes(text), expected, decimal_comma_question(text)),
                      where(column));
   }
-  return value;
+  return *value;
 }
 
 }  // namespace artcal

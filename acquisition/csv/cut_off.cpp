@@ -1,11 +1,11 @@
 #include "acquisition/csv/cut_off.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "core/text/decimal_number.h"
 #include "core/text/digits.h"
 #include "core/text/in_quotes.h"
 
@@ -18,10 +18,7 @@ std::size_t digits_in(std::string_view text) {
 
 // Nothing where the text is no number.
 std::optional<WrittenDigits> written_digits(std::string_view text) {
-  const std::string_view unsigned_text = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(unsigned_text.data(), unsigned_text.data() + unsigned_text.size(), value);
-  if (error != std::errc{} || end != unsigned_text.data() + unsigned_text.size()) {
+  if (!decimal_number(text)) {
     return std::nullopt;
   }
   const std::size_t e = std::min(text.find_first_of("eE"), text.size());

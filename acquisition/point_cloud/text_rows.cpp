@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
@@ -22,9 +23,9 @@ bool is_numeric(std::string_view text) {
 }
 
 bool to_plain_number(std::string_view text, double& value) {
-  const std::string_view digits = text.starts_with('+') && !text.starts_with("+-") ? text.substr(1) : text;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return error == std::errc{} && end == digits.data() + digits.size();
+  const auto number = decimal_number(text);
+  value = number.value_or(value);
+  return number.has_value();
 }
 
 // The text with one character, there once, replaced by another; empty where it is not there once, or too long for a

@@ -10,6 +10,7 @@
 #include "app/history/over_time.h"
 #include "app/history/what_changed.h"
 #include "app/output/table.h"
+#include "app/results/shown_text.h"
 #include "app/results/shown_unit.h"
 #include "app/results/verification/standard_name.h"
 #include "core/text/in_quotes.h"
@@ -52,7 +53,7 @@ std::string largest_text(const std::vector<TestValue>& values) {
   }
   std::vector<std::string> texts;
   for (const auto& [quantity, value] : largest) {
-    texts.push_back(fmt::format("{} {:+.4f}", name_of(quantity), value));
+    texts.push_back(fmt::format("{} {}", name_of(quantity), deviation_text(value, is_signed(quantity))));
   }
   return fmt::format("{}", fmt::join(texts, ", "));
 }
@@ -113,9 +114,9 @@ std::string step_text(const ArmHistory& history, const VerificationStep& step, b
       const std::string between = drift.second.empty() ? drift.first : drift.first + " - " + drift.second;
       table.add({fmt::format("  {} {}, placement {}", name_of(drift.quantity), truncated(40, between),
                              truncated(20, drift.placement)),
-                 fmt::format("{:+.4f}", drift.then), fmt::format("{:+.4f}", drift.now),
-                 fmt::format("{:+.4f}", drift.drift), fmt::format("{:.4f}", drift.u),
-                 drift.significant ? "significant" : ""});
+                 deviation_text(drift.then, is_signed(drift.quantity)),
+                 deviation_text(drift.now, is_signed(drift.quantity)), signed_mm_text(drift.drift),
+                 fmt::format("{:.4f}", drift.u), drift.significant ? "significant" : ""});
     }
   }
   return text + (any ? table.text() : "") + in_common_text(step.in_common);
@@ -128,8 +129,8 @@ std::string worst_text(const ArmHistory& history) {
     for (const auto& [verification, value] : worst.points) {
       any = any || worst.points.size() > 1;
       table.add({fmt::format("  {} {}", standard_in_words(worst.standard), name_of(worst.quantity)),
-                 date_of(history.verifications[verification].entry), fmt::format("{:+.4f}", value->value),
-                 fmt::format("{:.4f}", value->budget.total()),
+                 date_of(history.verifications[verification].entry),
+                 deviation_text(value->value, is_signed(worst.quantity)), fmt::format("{:.4f}", value->budget.total()),
                  value->limit ? fmt::format("{:.4f}", *value->limit) : std::string("none"), text_of(value->verdict)});
     }
   }

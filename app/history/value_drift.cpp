@@ -91,9 +91,9 @@ void write_worst(const std::vector<WorstOverTime>& all, const Times& times, Shee
       line.add(times.name(verification), std::abs(value->value),
                stated_coverage_factor(value->budget.degrees_of_freedom()) * u);
       table.add({name_of(worst.quantity), times.name(verification),
-                 value->certified > 0.0 ? signed_micrometres(value->value) : micrometres(value->value),
-                 two_digits(u / units::micrometre), value->limit ? micrometres(*value->limit) : "–",
-                 text_of(value->verdict), place_of(value->placement, value->first, value->second)});
+                 deviation_micrometres(value->value, is_signed(worst.quantity)), two_digits(u / units::micrometre),
+                 value->limit ? micrometres(*value->limit) : "–", text_of(value->verdict),
+                 place_of(value->placement, value->first, value->second)});
     }
     series.push_back(line.series(name_of(worst.quantity)));
   }
@@ -147,7 +147,8 @@ void write_changes(const std::vector<Drift>& drifts, const Times& times, Sheet& 
     const Drift& drift = drifts[i];
     shown_changes.push_back({html::cell(name_of(drift.quantity)),
                              html::cell(place_of(drift.placement, drift.first, drift.second)),
-                             signed_micrometres(drift.then), signed_micrometres(drift.now),
+                             deviation_micrometres(drift.then, is_signed(drift.quantity)),
+                             deviation_micrometres(drift.now, is_signed(drift.quantity)),
                              signed_micrometres(drift.drift), drift.u / units::micrometre, severity_of_drift(drift),
                              drift.significant, drift.degrees_of_freedom > 0 ? "" : "not repeated"});
   }

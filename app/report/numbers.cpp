@@ -24,6 +24,9 @@ std::string mm(double value) { return formatted("{:.4f}", value); }
 std::string signed_mm(double value) { return formatted("{:+.4f}", value); }
 std::string micrometres(double mm) { return formatted("{:.1f}", mm / units::micrometre); }
 std::string signed_micrometres(double mm) { return formatted("{:+.1f}", mm / units::micrometre); }
+std::string deviation_micrometres(double mm, bool is_signed) {
+  return is_signed ? signed_micrometres(mm) : micrometres(mm);
+}
 std::string two_digits(double value) { return formatted("{:.2g}", value); }
 
 std::string shown(const std::string& name) { return truncated(100, name); }

@@ -12,7 +12,9 @@ std::string mm(double value);               ///< 0.2048
 std::string signed_mm(double value);        ///< +0.2048
 std::string micrometres(double mm);         ///< 204.8
 std::string signed_micrometres(double mm);  ///< +204.8
-std::string two_digits(double value);       ///< an uncertainty: 0.031
+/// With its sign where it has one: an error; a range or a distance from a point has none.
+std::string deviation_micrometres(double mm, bool is_signed);
+std::string two_digits(double value);  ///< an uncertainty: 0.031
 
 /// A name from a file, cut where it is longer than a line.
 std::string shown(const std::string& name);

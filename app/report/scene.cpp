@@ -157,8 +157,8 @@ Figure scene_of_verification(const Json& verification) {
     const Eigen::Vector3d& at = value.place.point_in_base;
     by_verdict[verdict].add({at.x(), at.y(), at.z()});
     Json& of = names.try_emplace(verdict, Json::array()).first->second;
-    of.push_back(shown(
-        fmt::format("{} {}: {} {} µm", value.quantity, value.placement, value.first, signed_micrometres(value.value))));
+    of.push_back(shown(fmt::format("{} {}: {} {} µm", value.quantity, value.placement, value.first,
+                                   deviation_micrometres(value.value, value.certified.has_value()))));
   }
   Json places = Json::array();
   for (const auto& [verdict, points] : by_verdict) {

@@ -1,6 +1,5 @@
 #include "app/stream/stream_event.h"
 
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/number_range.h"
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
@@ -23,13 +23,12 @@ constexpr int max_depth = 8;
 
 Expected<double> number_of(std::string_view text, const StreamField& field) {
   text = trimmed(text);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !is_in_range(value)) {
+  const auto value = decimal_number(text);
+  if (!value || !is_in_range(*value)) {
     return bad_input(fmt::format("the field {} is {}, expected a finite number", in_quotes(field),
                                  in_quotes(std::string(text.substr(0, 40)))));
   }
-  return value;
+  return *value;
 }
 
 Expected<double> number_in(const Json& event, const StreamField& field) {

@@ -137,12 +137,16 @@ TouchCheck::Said TouchCheck::add(const Touch& touch) {
   Said said;
   const auto deviation = deviation_of_last();
   if (deviation) {
-    said.note = fmt::format("{:+.3f} mm from the earlier touches", *deviation);
+    // Of a point it is a distance, of a ball or a plane it has a sign.
+    const CertifiedFeature* of = feature_of(touch);
+    const bool is_signed = of == nullptr || of->kind != FeatureKind::Point;
+    said.note = (is_signed ? fmt::format("{:+.3f}", *deviation) : fmt::format("{:.3f}", *deviation)) +
+                " mm from the earlier touches";
     if (std::abs(*deviation) > max_deviation * reach(arm_)) {
       said.warning = fmt::format(
-          "this touch is {:+.1f} mm from where the earlier ones have {}; is it another feature, or "
+          "this touch is {} mm from where the earlier ones have {}; is it another feature, or "
           "did the artefact move? Undo it if so",
-          *deviation, in_quotes(touch.feature));
+          is_signed ? fmt::format("{:+.1f}", *deviation) : fmt::format("{:.1f}", *deviation), in_quotes(touch.feature));
     }
   }
   const CertifiedFeature* feature = feature_of(touch);

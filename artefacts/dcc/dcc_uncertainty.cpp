@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -131,16 +132,13 @@ Expected<DccWrittenNumbers> read_written_numbers(const XmlSource& source, const 
   }
   DccWrittenNumbers numbers;
   for (const std::string& word : words_of(text_of(node))) {
-    const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-    const char* end = word.data() + word.size();
-    double number = 0.0;
-    const auto [rest, error] = std::from_chars(begin, end, number);
+    const auto number = decimal_number(word);
     const bool not_measured = word == "NaN";  // D-SI allows it; it is refused where it is asked for
-    if (!not_measured && (error != std::errc{} || rest != end || !std::isfinite(number))) {
+    if (!not_measured && !(number && std::isfinite(*number))) {
       return bad_input(fmt::format("{} holds {}, expected a number", in_quotes(node.name()), in_quotes(word)),
                        source.place_of(node));
     }
-    numbers.values.push_back(not_measured ? std::nan("") : number);
+    numbers.values.push_back(not_measured ? std::nan("") : *number);
     numbers.half_digits.push_back(not_measured ? 0.0 : half_digit(word));
   }
   return numbers;

@@ -88,6 +88,8 @@ double length_between(const Measured& from, const Measured& to, bool planes) {
 
 }  // namespace
 
+bool has_signed_deviation(const FeatureConstraint& feature) { return feature.dimension() == 1; }
+
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm) {
   return evaluate(make_system(recording, constraints, arm, {}), recording);
 }

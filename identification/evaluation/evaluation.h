@@ -47,6 +47,10 @@ struct Evaluation {
   std::vector<Eigen::Vector3d> points;
 };
 
+/// Whether the deviations of a feature's readings have a sign: from the surface of a ball, from a plane and of a length
+/// they do, the distance from a point does not.
+bool has_signed_deviation(const FeatureConstraint& feature);
+
 Expected<Evaluation> evaluate(const Recording& recording, const Constraints& constraints, const Arm& arm);
 
 /// The shape of an evaluation with NaN for every number that an arm has part in: of an arm that cannot be evaluated.

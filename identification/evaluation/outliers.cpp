@@ -153,7 +153,8 @@ Outliers find_outliers(const Recording& recording, const Constraints& constraint
       const double limit = outlier_limit(count, check);
       if (size > limit && !is_blamed_elsewhere(feature, size / limit, certificates.blames)) {
         outliers.readings.push_back({feature.readings[k], name_of(feature, constraints, recording), size, limit,
-                                     evaluation.deviations[flat], fit.loss_weights.readings[f][k]});
+                                     evaluation.deviations[flat], has_signed_deviation(feature),
+                                     fit.loss_weights.readings[f][k]});
       }
     }
   }

@@ -1,7 +1,6 @@
 #include "acquisition/arm/exchange/urdf_read.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,6 +13,7 @@
 #include "core/files/size_limits.h"
 #include "core/files/text_file.h"
 #include "core/number_range.h"
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 #include "core/units.h"
 
@@ -28,11 +28,8 @@ std::string place_of_node(const TextFile& file, const pugi::xml_node& node) {
 }
 
 std::optional<double> number_of(std::string_view word) {
-  word.remove_prefix(word.starts_with('+') ? 1 : 0);
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  return error == std::errc{} && end == word.data() + word.size() && is_in_range(number) ? std::optional(number)
-                                                                                         : std::nullopt;
+  const auto number = decimal_number(word);
+  return number && is_in_range(*number) ? number : std::nullopt;
 }
 
 // Three numbers of an attribute, zeros where it is not there.

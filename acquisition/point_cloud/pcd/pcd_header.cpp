@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/point_cloud/pcd/pcd_entries.h"
+#include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -130,12 +131,11 @@ Expected<void> read_viewpoint(const PcdEntries& entries, PcdHeader& header) {
   }
   const PcdEntry& entry = entries.at("VIEWPOINT");
   for (const std::string_view word : entry.values) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc{} || end != word.data() + word.size()) {
+    const auto value = decimal_number(word);
+    if (!value) {
       break;
     }
-    header.viewpoint.push_back(value);
+    header.viewpoint.push_back(*value);
   }
   if (header.viewpoint.size() != 7 || entry.values.size() != 7) {
     return bad_input("VIEWPOINT: expected seven numbers, tx ty tz qw qx qy qz", entry.where);

@@ -89,7 +89,8 @@ void write_drifts(const Json& interim, Sheet& sheet) {
   for (const Drift& drift : recorded_drifts(interim)) {
     table.add_markup({html::cell(name_of(drift.quantity)), html::cell(shown(drift.placement)),
                       html::cell(shown(drift.first) + (drift.second.empty() ? "" : " – " + shown(drift.second))),
-                      signed_micrometres(drift.then), signed_micrometres(drift.now), signed_micrometres(drift.drift),
+                      deviation_micrometres(drift.then, is_signed(drift.quantity)),
+                      deviation_micrometres(drift.now, is_signed(drift.quantity)), signed_micrometres(drift.drift),
                       fmt::format("{:.2f}", drift.u / units::micrometre),
                       drift.significant               ? "⚠ significant"
                       : drift.degrees_of_freedom == 0 ? "not evaluated: no repeats"

@@ -204,7 +204,9 @@ void write_outliers(const Json& outliers, Sheet& sheet) {
                                                                                                {"limit"}});
   for (const Json& outlier : outliers) {
     table.add({shown(text_in(outlier, "where")), shown(text_in(outlier, "placement")),
-               shown(text_in(outlier, "feature")), signed_mm(outlier.at("deviation_mm")),
+               shown(text_in(outlier, "feature")),
+               outlier.value("deviation_is_signed", true) ? signed_mm(outlier.at("deviation_mm"))
+                                                          : mm(outlier.at("deviation_mm")),
                fmt::format("{:.1f}", outlier.at("standardised").get<double>()),
                fmt::format("{:.1f}", outlier.at("limit").get<double>())});
   }

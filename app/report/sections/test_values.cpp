@@ -143,7 +143,7 @@ std::string verdict_in_words(const RecordedValue& value) {
 }
 
 std::string value_in_words(const RecordedValue& value) {
-  return value.certified ? signed_micrometres(value.value) : micrometres(value.value);
+  return deviation_micrometres(value.value, value.certified.has_value());
 }
 
 std::string share_in_words(const RecordedValue& value) {

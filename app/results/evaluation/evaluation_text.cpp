@@ -51,19 +51,23 @@ std::string lengths_text(const Evaluation& evaluation) {
 }
 
 std::string readings_text(const Recording& recording, const Constraints& constraints, const Evaluation& evaluation) {
-  std::vector<std::pair<int, double>> worst_first;  // reading, deviation
-  std::size_t at = 0;
+  struct OfReading {
+    int reading;
+    double deviation;
+    bool is_signed;
+  };
+  std::vector<OfReading> worst_first;
   for (const FeatureConstraint& feature : constraints.features) {
     for (const int reading : feature.readings) {
-      worst_first.emplace_back(reading, evaluation.deviations[at++]);
+      worst_first.push_back({reading, evaluation.deviations[worst_first.size()], has_signed_deviation(feature)});
     }
   }
   std::stable_sort(worst_first.begin(), worst_first.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
+                   [](const auto& a, const auto& b) { return std::abs(a.deviation) > std::abs(b.deviation); });
   std::string text = "Largest deviations of single readings:\n";
   for (std::size_t i = 0; i < std::min(max_readings, worst_first.size()); ++i) {
-    const auto& [reading, deviation] = worst_first[i];
-    text += fmt::format("  {}: {} mm\n", recording.where(reading), signed_mm_text(deviation));
+    const auto& [reading, deviation, is_signed] = worst_first[i];
+    text += fmt::format("  {}: {} mm\n", recording.where(reading), deviation_text(deviation, is_signed));
   }
   return text;
 }

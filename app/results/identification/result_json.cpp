@@ -162,6 +162,7 @@ Json to_json(const Recording& recording, const Constraints& constraints, const I
             {"standardised", outlier.standardised},
             {"limit", outlier.limit},
             {"deviation_mm", outlier.deviation},
+            {"deviation_is_signed", outlier.is_signed},
             {"weight", outlier.weight}};
   });
   json["certificate_outliers"] = json_list(result.certificate_outliers, certificate_outlier_json);

@@ -286,7 +286,7 @@ std::string outliers_text(const Recording& recording, const Identification& resu
          outlier_lines(result.outliers, "reading", [&](const Outlier& outlier) {
            return fmt::format("{}: placement {}, feature {}, {} mm", truncated(200, recording.where(outlier.reading)),
                               shown_name(outlier.name.placement), shown_name(outlier.name.feature),
-                              signed_mm_text(outlier.deviation));
+                              deviation_text(outlier.deviation, outlier.is_signed));
          });
 }
 

@@ -23,9 +23,8 @@ constexpr std::size_t max_values = 12;  // of a quantity, unless more of them do
 constexpr std::size_t max_balls = 150;  // of a plate
 
 // Ranges and diameters have no sign, errors do.
-std::string value_text(const TestValue& value) {
-  const bool is_error = value.certified > 0.0;
-  return is_error ? signed_in_micrometres(value.value) : in_micrometres(value.value);
+std::string text_in_micrometres(double mm, Quantity quantity) {
+  return is_signed(quantity) ? signed_in_micrometres(mm) : in_micrometres(mm);
 }
 
 // As the standards write it.
@@ -120,8 +119,9 @@ std::string summary_text(const Verification& verification) {
                                      [&](const TestValue& value) { return value.quantity == quantity; });
     if (worst != nullptr) {
       table.add(
-          {symbol_of(quantity), fmt::format("{}", count), value_text(*worst), limit_text(*worst), share_text(*worst),
-           fmt::format("{:.2f}", worst->budget.total() / units::micrometre), verdict_text(*worst),
+          {symbol_of(quantity), fmt::format("{}", count), text_in_micrometres(worst->value, worst->quantity),
+           limit_text(*worst), share_text(*worst), fmt::format("{:.2f}", worst->budget.total() / units::micrometre),
+           verdict_text(*worst),
            fmt::format("{} at {}",
                        short_name(worst->first) + (worst->second.empty() ? "" : " - " + short_name(worst->second)),
                        worst->placement.empty() ? text_of(worst->place) : short_name(worst->placement))});
@@ -166,7 +166,8 @@ std::string values_text(const Verification& verification, Quantity quantity, boo
     table.add({fmt::format("{}: {}{}", short_name(value->placement), features, repeat),
                is_length ? fmt::format("{:.4f}", value->stated.value) : "",
                is_length ? fmt::format("{:.4g}", value->stated.temperature) : "",
-               is_length ? fmt::format("{:.4f}", value->certified) : "", value_text(*value), limit_text(*value),
+               is_length ? fmt::format("{:.4f}", value->certified) : "",
+               text_in_micrometres(value->value, value->quantity), limit_text(*value),
                fmt::format("{:.2f}", value->budget.total() / units::micrometre), verdict_text(*value),
                text_of(value->place)});
   }
@@ -237,8 +238,8 @@ std::string interim_text(const InterimCheck& check) {
         short_name(drift.first) + (drift.second.empty() ? "" : " - " + short_name(drift.second));
     const bool told = drift.degrees_of_freedom > 0;
     table.add({fmt::format("{} {}: {}", name_of(drift.quantity), short_name(drift.placement), features),
-               signed_in_micrometres(drift.then), signed_in_micrometres(drift.now), signed_in_micrometres(drift.drift),
-               fmt::format("{:.2f}", drift.u / units::micrometre),
+               text_in_micrometres(drift.then, drift.quantity), text_in_micrometres(drift.now, drift.quantity),
+               signed_in_micrometres(drift.drift), fmt::format("{:.2f}", drift.u / units::micrometre),
                told ? fmt::format("{:.2f}", drift.repeatability / units::micrometre) : "no repeats",
                drift.significant ? "significant" : ""});
   }

@@ -21,6 +21,23 @@ constexpr EnumNames<Quantity, 11> words_of_quantities{{{Quantity::SizeError, "P_
 
 const char* name_of(Quantity quantity) { return name_in(words_of_quantities, quantity); }
 
+bool is_signed(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::FormError:
+    case Quantity::FormErrorD95:
+    case Quantity::LocationDiameter:
+    case Quantity::Articulation:
+    case Quantity::ArticulationSpread: return false;
+    case Quantity::SizeError:
+    case Quantity::SizeErrorAll:
+    case Quantity::LengthUni:
+    case Quantity::LengthBi:
+    case Quantity::EffectiveDiameter:
+    case Quantity::Volumetric: break;
+  }
+  return true;
+}
+
 std::string quantity_names() { return list_of(words_of_quantities); }
 
 std::optional<Quantity> quantity_named(const std::string& name) { return value_in(words_of_quantities, name); }

@@ -31,6 +31,8 @@ enum class Quantity {
 /// "E_Uni": the name in specification files and results.
 const char* name_of(Quantity quantity);
 std::optional<Quantity> quantity_named(const std::string& name);
+/// Whether its values are errors, above or below zero; a range, a diameter of a spread and 2·s have no sign.
+bool is_signed(Quantity quantity);
 /// All of these names, for a message.
 std::string quantity_names();
 

@@ -17,8 +17,10 @@ namespace artcal {
 namespace {
 
 using Json = nlohmann::json;
+using ::testing::AllOf;
 using testing::Ended;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using ::testing::Not;
 
 class Evaluate : public testing::ProgramTest {};
@@ -107,6 +109,20 @@ TEST_F(Evaluate, FiguresAreThoseOfTheEquationsAlone) {
     squares += std::pow(reading["deviation_mm"].get<double>(), 2);
   }
   EXPECT_NEAR(std::sqrt(squares / 387.0), expected.rms, 1e-9);
+}
+
+// A distance from a seat has no sign, a deviation from the surface of a ball has one.
+TEST_F(Evaluate, OnlyDeviationsThatHaveASignAreShownWithOne) {
+  take("two-socket-bar");
+  take("ball-bar");
+  const auto largest = [&](const std::string& recording) {
+    const Ended ended = run({"evaluate", recording});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    const std::size_t at = ended.out.find("Largest deviations of single readings:\n");
+    return at == std::string::npos ? "" : ended.out.substr(at);
+  };
+  EXPECT_THAT(largest("two-socket-bar/recording.toml"), AllOf(MatchesRegex(".*: [0-9.]+ mm\n.*"), Not(HasSubstr("+"))));
+  EXPECT_THAT(largest("ball-bar/recording.toml"), MatchesRegex("[^\n]*\n([^\n]*: [+-][0-9.]+ mm\n){5}"));
 }
 
 TEST_F(Evaluate, AnArmIsHeldAgainstReadingsThatItHasNotSeen) {

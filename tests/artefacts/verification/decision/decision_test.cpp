@@ -37,6 +37,16 @@ TEST(Budget, AddsEveryPart) {
   EXPECT_GT(with_thermal({}, 1000.0, {11.5e-6, 0.5e-6, -3.0, 0.1}).expansion, 0.0);
 }
 
+// Ranges, the diameter of a smallest sphere and 2·s are sizes; what is measured less what is certified is an error.
+TEST(Quantity, HasASignWhereItIsAnError) {
+  for (const char* name : {"P_Form", "P_Form.Sph.D95%", "L_Dia", "SPAT", "SPAT_2s"}) {
+    EXPECT_FALSE(is_signed(quantity_named(name).value())) << name;
+  }
+  for (const char* name : {"P_Size", "P_Size.Sph.All", "E_Uni", "E_Bi", "effective_diameter", "volumetric"}) {
+    EXPECT_TRUE(is_signed(quantity_named(name).value())) << name;
+  }
+}
+
 TEST(Decision, HasThreeZones) {
   constexpr auto rule = DecisionRule::Iso14253_2017;
   constexpr double limit = 0.020, u = 0.002;  // guard band 0.0033
