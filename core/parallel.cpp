@@ -4,8 +4,10 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace artcal {
@@ -13,10 +15,21 @@ namespace {
 
 constexpr int max_threads = 256;
 
+thread_local bool one_thread_only = false;
+
+int threads_of_machine() { return one_thread_only ? 1 : static_cast<int>(std::thread::hardware_concurrency()); }
+
 }  // namespace
 
+OneThreadOnly::OneThreadOnly() : before_(std::exchange(one_thread_only, true)) {}
+
+OneThreadOnly::~OneThreadOnly() { one_thread_only = before_; }
+
 int thread_count(int asked, std::size_t items) {
-  const int wanted = asked > 0 ? asked : static_cast<int>(std::thread::hardware_concurrency());
+  if (items <= 1) {
+    return 1;  // without asking the system
+  }
+  const int wanted = asked > 0 ? asked : threads_of_machine();
   const auto useful = static_cast<int>(std::min(items, static_cast<std::size_t>(max_threads)));
   return std::clamp(wanted, 1, std::max(1, useful));
 }
@@ -25,6 +38,10 @@ void on_threads(int threads, const std::function<void()>& work) {
   std::mutex guard;
   std::exception_ptr first;
   const auto guarded = [&] {
+    std::optional<OneThreadOnly> inside;
+    if (threads > 1) {
+      inside.emplace();
+    }
     try {
       work();
     } catch (...) {

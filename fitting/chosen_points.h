@@ -4,15 +4,22 @@
 
 #include <Eigen/Core>
 
+#include "core/large_pages.h"
+#include "core/parallel.h"
+
 namespace artcal::fitting {
 
 /// The columns of `points` that `which` names, in its order; shape (3, which.size()).
 template <typename Points>
 Eigen::Matrix3Xd chosen_points(const Points& points, const std::vector<int>& which) {
+  constexpr std::size_t block_size = std::size_t{1} << 16u;
   Eigen::Matrix3Xd some(3, static_cast<Eigen::Index>(which.size()));
-  for (std::size_t i = 0; i < which.size(); ++i) {
-    some.col(static_cast<Eigen::Index>(i)) = points.col(which[i]);
-  }
+  prefer_large_pages(some.data(), static_cast<std::size_t>(some.size()) * sizeof(double));
+  parallel_blocks(which.size(), block_size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      some.col(static_cast<Eigen::Index>(i)) = points.col(which[i]);
+    }
+  });
   return some;
 }
 

@@ -1,7 +1,11 @@
 #include "fitting/fit.h"
 
+#include <optional>
 #include <type_traits>
+#include <vector>
 
+#include "fitting/chosen_points.h"
+#include "fitting/cloud.h"
 #include "fitting/criterion.h"
 #include "fitting/known.h"
 #include "fitting/least_squares/fast_sphere.h"
@@ -54,16 +58,18 @@ Expected<Fitted<F>> without_tip(Fitted<F> fitted, const FitOptions& options) {
   return fitted;
 }
 
-}  // namespace
-
 template <typename F>
-Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
-  if (auto checked = check_options(options, Known<F>::abilities); !checked) {
-    return tl::unexpected(checked.error());
+std::optional<Fitted<F>> fit_chosen(const Points& points, const FitOptions& options);
+
+// Before the tip is taken off.
+template <typename F>
+Expected<Fitted<F>> fit_centres(const Points& points, const FitOptions& options) {
+  if (auto chosen = fit_chosen<F>(points, options)) {
+    return std::move(*chosen);
   }
   if constexpr (std::is_same_v<F, Sphere>) {
     if (auto plain = fit_plain_sphere(points, options)) {
-      return without_tip(std::move(*plain), options);
+      return std::move(*plain);
     }
   }
   auto cloud = make_cloud(points, options.weights, requirement_for<F>(options));
@@ -80,7 +86,44 @@ Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
   Fitted<F> fitted = in_frame(*cloud, *found);
   orient(fitted, options);
   describe(points, options, fitted);
-  return without_tip(std::move(fitted), options);
+  return fitted;
+}
+
+// Where weights only say which of many points take part, these are fitted alone: points without weights take less time.
+// Nothing where weights say more, and where the points chosen are no feature, which is then said of all.
+template <typename F>
+std::optional<Fitted<F>> fit_chosen(const Points& points, const FitOptions& options) {
+  constexpr Eigen::Index many = 20'000;
+  const auto weights = options.weights.array();
+  if (weights.size() < many || weights.size() != points.cols() || !(weights == 0.0 || weights == 1.0).all() ||
+      first_not_finite(points) >= 0) {
+    return std::nullopt;
+  }
+  std::vector<int> chosen;
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    if (weights(i) == 1.0) {
+      chosen.push_back(static_cast<int>(i));
+    }
+  }
+  FitOptions plain = options;
+  plain.weights.resize(0);
+  auto fitted = fit_centres<F>(chosen_points(points, chosen), plain);
+  if (!fitted) {
+    return std::nullopt;
+  }
+  describe(points, options, *fitted);
+  return std::move(*fitted);
+}
+
+}  // namespace
+
+template <typename F>
+Expected<Fitted<F>> fit(const Points& points, const FitOptions& options) {
+  if (auto checked = check_options(options, Known<F>::abilities); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  auto fitted = fit_centres<F>(points, options);
+  return fitted ? without_tip(std::move(*fitted), options) : fitted;
 }
 
 template Expected<Fitted<Sphere>> fit(const Points&, const FitOptions&);

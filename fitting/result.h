@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
+#include "core/large_pages.h"
+#include "core/parallel.h"
 #include "fitting/least_squares/estimate.h"
 
 namespace artcal::fitting {
@@ -46,26 +49,52 @@ double residual(const F& feature, const FitOptions& options, const Eigen::Vector
   }
 }
 
-/// Residuals of all points; form and rms of those with a weight.
+/// What residuals come to.
+struct ResidualSums {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  double squares = 0.0, weights = 0.0;
+
+  void add(double residual, double weight) {
+    low = std::min(low, residual);
+    high = std::max(high, residual);
+    squares += weight * residual * residual;
+    weights += weight;
+  }
+  void add(const ResidualSums& part) {
+    low = std::min(low, part.low);
+    high = std::max(high, part.high);
+    squares += part.squares;
+    weights += part.weights;
+  }
+};
+
+/// Residuals of all points; form and rms of those with a weight. Blocks of many points are summed side by side and
+/// added in their order.
 template <typename F>
 void describe(const Points& points, const FitOptions& options, Fitted<F>& fitted) {
+  constexpr std::size_t block_size = std::size_t{1} << 16u;
+  const auto count = static_cast<std::size_t>(points.cols());
   fitted.residuals.resize(points.cols());
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  double squares = 0.0;
-  double weights = 0.0;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const double d = fitted.residuals(i) = residual(fitted.feature, options, points.col(i));
-    const double weight = options.weights.size() == 0 ? 1.0 : options.weights(i);
-    if (weight > 0.0) {
-      low = std::min(low, d);
-      high = std::max(high, d);
-      squares += weight * d * d;
-      weights += weight;
+  prefer_large_pages(fitted.residuals.data(), count * sizeof(double));
+  std::vector<ResidualSums> parts((count + block_size - 1) / block_size);
+  parallel_blocks(count, block_size, [&](std::size_t begin, std::size_t end) {
+    ResidualSums part;
+    for (auto i = static_cast<Eigen::Index>(begin); i < static_cast<Eigen::Index>(end); ++i) {
+      const double d = fitted.residuals(i) = residual(fitted.feature, options, points.col(i));
+      const double weight = options.weights.size() == 0 ? 1.0 : options.weights(i);
+      if (weight > 0.0) {
+        part.add(d, weight);
+      }
     }
+    parts[begin / block_size] = part;
+  });
+  ResidualSums sums;
+  for (const ResidualSums& part : parts) {
+    sums.add(part);
   }
-  fitted.form = std::is_same_v<F, Line> ? 2.0 * high : high - low;
-  fitted.rms = std::sqrt(squares / weights);
+  fitted.form = std::is_same_v<F, Line> ? 2.0 * sums.high : sums.high - sums.low;
+  fitted.rms = std::sqrt(sums.squares / sums.weights);
 }
 
 /// What the caller gets, but for what its points say.

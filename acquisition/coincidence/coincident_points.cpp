@@ -5,15 +5,19 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/coincidence/coincident_columns.h"
+#include "core/coincidence/coincident_columns.h"
 
 namespace artcal {
 namespace {
 
+bool is_zero(const Eigen::Matrix3Xd& points, Eigen::Index i) {
+  return points(0, i) == 0.0 && points(1, i) == 0.0 && points(2, i) == 0.0;
+}
+
 std::vector<bool> points_at_zero(const Eigen::Matrix3Xd& points) {
   std::vector<bool> at_zero(static_cast<std::size_t>(points.cols()));
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    at_zero[static_cast<std::size_t>(i)] = points.col(i).isZero(0.0);
+    at_zero[static_cast<std::size_t>(i)] = is_zero(points, i);
   }
   return at_zero;
 }
@@ -50,19 +54,25 @@ void keep(PointCloud& cloud, const std::vector<bool>& dropped) {
   cloud.rows.resize(static_cast<std::size_t>(kept));
 }
 
-std::vector<Eigen::Index> first_of_equal(const PointCloud& cloud) {
+std::vector<RepeatedColumn> repeated_points(const PointCloud& cloud) {
   if (cloud.joints.rows() == 0) {
-    return first_coincident(cloud.points);
+    return repeated_columns(cloud.points);
   }
   Eigen::MatrixXd columns(3 + cloud.joints.rows(), cloud.points.cols());
   columns << cloud.points, cloud.joints;
-  return first_coincident(columns);
+  return repeated_columns(columns);
 }
 
 void drop_zeros(PointCloud& cloud) {
+  Eigen::Index zeros = 0;
+  for (Eigen::Index i = 0; i < cloud.points.cols(); ++i) {
+    zeros += is_zero(cloud.points, i) ? 1 : 0;
+  }
+  if (zeros == 0) {
+    return;
+  }
   const auto at_zero = points_at_zero(cloud.points);
-  const auto zeros = static_cast<Eigen::Index>(std::count(at_zero.begin(), at_zero.end(), true));
-  if (zeros == 0 || zeros == cloud.points.cols() || (zeros == 1 && !origin_is_apart(cloud.points, at_zero))) {
+  if (zeros == cloud.points.cols() || (zeros == 1 && !origin_is_apart(cloud.points, at_zero))) {
     return;
   }
   cloud.warnings.push_back(fmt::format(
@@ -74,17 +84,15 @@ void drop_zeros(PointCloud& cloud) {
 }  // namespace
 
 std::size_t merge_equal_points(PointCloud& cloud) {
-  const auto first = first_of_equal(cloud);
-  std::vector<bool> repeated(first.size());
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    repeated[i] = first[i] != static_cast<Eigen::Index>(i);
-    count += repeated[i] ? 1 : 0;
+  const auto repeated = repeated_points(cloud);
+  if (!repeated.empty()) {
+    std::vector<bool> dropped(static_cast<std::size_t>(cloud.points.cols()), false);
+    for (const RepeatedColumn& one : repeated) {
+      dropped[static_cast<std::size_t>(one.column)] = true;
+    }
+    keep(cloud, dropped);
   }
-  if (count > 0) {
-    keep(cloud, repeated);
-  }
-  return count;
+  return repeated.size();
 }
 
 void drop_coincident_points(PointCloud& cloud) {

@@ -91,9 +91,7 @@ void add_records(const std::vector<BinaryColumn>& columns, std::size_t count, By
     for (std::size_t i = 0; i < width; ++i) {
       reader_of(columns[i].type, order)(columns[i], from, here, records.data() + i, width);
     }
-    for (std::size_t i = 0; i < here; ++i) {
-      builder.add(records.data() + i * width);
-    }
+    builder.add(records.data(), here);
   }
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "core/large_pages.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -103,9 +105,36 @@ CloudBuilder::CloudBuilder(const CloudUnits& units, std::size_t columns, std::si
   if (columns > 3) {
     joints_.resize(static_cast<Eigen::Index>(columns) - 3, static_cast<Eigen::Index>(max_records));
   }
-  rows_.resize(max_records);
+  rows_ = large_vector<int>(max_records);
+  prefer_large_pages(points_.data(), static_cast<std::size_t>(points_.size()) * sizeof(double));
   low_.fill(std::numeric_limits<double>::infinity());
   high_.fill(-std::numeric_limits<double>::infinity());
+}
+
+void CloudBuilder::add(const double* records, std::size_t count) {
+  const Eigen::Index width = 3 + joints_.rows();
+  const auto records_here = static_cast<Eigen::Index>(count);
+  if (width == 3) {
+    auto points = points_.middleCols(size_, records_here);
+    points = units_.length * Eigen::Matrix3Xd::Map(records, 3, records_here);
+    // A number times zero is zero, but for those that are not finite: one sum shows it of all.
+    if (std::isfinite((0.0 * points).sum())) {
+      Eigen::Array3d low = Eigen::Array3d::Map(low_.data()), high = Eigen::Array3d::Map(high_.data());
+      for (Eigen::Index i = 0; i < records_here; ++i) {
+        low = low.min(points.col(i).array());
+        high = high.max(points.col(i).array());
+      }
+      Eigen::Array3d::Map(low_.data()) = low;
+      Eigen::Array3d::Map(high_.data()) = high;
+      std::iota(rows_.begin() + size_, rows_.begin() + size_ + records_here, records_);
+      size_ += records_here;
+      records_ += static_cast<int>(count);
+      return;
+    }
+  }
+  for (Eigen::Index i = 0; i < records_here; ++i) {
+    add(records + i * width);
+  }
 }
 
 Expected<PointCloud> CloudBuilder::finish(const FileBytes& file, std::vector<std::string> warnings) && {

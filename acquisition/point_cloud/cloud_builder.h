@@ -52,6 +52,9 @@ class CloudBuilder {
     ++records_;
   }
 
+  /// `count` records one behind the other, as one by one.
+  void add(const double* records, std::size_t count);
+
   /// One record at which the instrument measured nothing, as its format says so: left out and counted apart.
   void add_missing() {
     ++missing_;

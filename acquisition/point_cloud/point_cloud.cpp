@@ -5,7 +5,9 @@
 #include "acquisition/coincidence/coincident_points.h"
 #include "acquisition/point_cloud/cloud_formats.h"
 #include "acquisition/point_cloud/cloud_limits.h"
+#include "core/files/hash.h"
 #include "core/files/size_limits.h"
+#include "core/parallel.h"
 
 namespace artcal {
 
@@ -15,12 +17,25 @@ Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUni
 
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns,
                                const CloudLimits& limits) {
-  return read_file_bytes(path, largest::points, "a point file").and_then([&](const FileBytes& file) {
-    return parse_cloud(file, units, columns, limits).map([](ReadCloud read) {
-      drop_coincident_points(read.cloud);
-      return read;
-    });
+  auto file = read_unhashed_file_bytes(path, largest::points, "a point file");
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  std::string hash;
+  Expected<ReadCloud> read;
+  parallel_for(2, 0, [&](std::size_t job) {
+    if (job == 0) {
+      hash = sha256(file->bytes);
+    } else {
+      read = parse_cloud(*file, units, columns, limits);
+    }
   });
+  file->bytes = std::string();  // before anything else takes memory
+  if (read) {
+    read->cloud.input.sha256 = std::move(hash);
+    drop_coincident_points(read->cloud);
+  }
+  return read;
 }
 
 Expected<PointCloud> read_point_cloud(const std::filesystem::path& path, const CloudUnits& units) {

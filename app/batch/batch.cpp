@@ -14,6 +14,8 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 
+#include "core/parallel.h"
+
 namespace artcal {
 namespace {
 
@@ -179,6 +181,10 @@ Expected<BatchSummary> run_batch(const std::vector<std::string>& files, const Ba
       auto result = shared.result(key);
       return result && is_done(request, item.path, key, result->exit_code) ? result : std::nullopt;
     };
+    std::optional<OneThreadOnly> alone;
+    if (jobs > 1) {
+      alone.emplace();
+    }
     auto outcome = run_recording(item.path, request.options, request.resume ? FindResult(find) : FindResult(),
                                  request.pages != nullptr ? Keep::RowsAndResults : Keep::Rows);
     write_page(request, outcome);

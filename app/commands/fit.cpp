@@ -64,7 +64,8 @@ Expected<int> fit_and_tell(const Request& request) {
   report.fit = std::move(*fitted);
   report.fitting_seconds = seconds_since(start) - report.reading_seconds;
   report.warnings.insert(report.warnings.end(), report.fit.warnings.begin(), report.fit.warnings.end());
-  return request.common.tell(to_json(report), to_text(report));
+  // Outliers may be many: only for who asks for them.
+  return request.common.tell(request.common.json.empty() ? nlohmann::ordered_json() : to_json(report), to_text(report));
 }
 
 }  // namespace

@@ -147,7 +147,8 @@ Expected<int> segment_and_tell(const Request& request) {
   if (status != SegmentStatus::Complete && status != SegmentStatus::Partial) {
     return no_solution(refusal_text(result));
   }
-  return request.common.tell(to_json(result), to_text(result));
+  // The rows of millions of points: only for who asks for them.
+  return request.common.tell(request.common.json.empty() ? nlohmann::ordered_json() : to_json(result), to_text(result));
 }
 
 }  // namespace

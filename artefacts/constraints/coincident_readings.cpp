@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "acquisition/coincidence/coincident_columns.h"
+#include "core/coincidence/coincident_columns.h"
 
 namespace artcal {
 namespace {

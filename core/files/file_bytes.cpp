@@ -4,10 +4,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/files/hash.h"
+#include "core/large_pages.h"
 
 namespace artcal {
 namespace {
@@ -36,6 +38,14 @@ std::string what_is_wrong_with(const std::filesystem::path& path) {
 
 Expected<FileBytes> read_file_bytes(const std::filesystem::path& path, std::size_t max_bytes,
                                     std::string_view expected) {
+  return read_unhashed_file_bytes(path, max_bytes, expected).map([](FileBytes&& file) {
+    file.sha256 = sha256(file.bytes);
+    return std::move(file);
+  });
+}
+
+Expected<FileBytes> read_unhashed_file_bytes(const std::filesystem::path& path, std::size_t max_bytes,
+                                             std::string_view expected) {
   const std::string name = path.string();
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -60,6 +70,8 @@ Expected<FileBytes> read_file_bytes(const std::filesystem::path& path, std::size
     return bad_input(fmt::format("the file cannot be opened: {}", std::strerror(errno)), name);
   }
   FileBytes file{path, {}, {}};
+  file.bytes.reserve(error ? 0 : size);
+  prefer_large_pages(file.bytes.data(), file.bytes.capacity());
   file.bytes.resize(error ? 0 : size);
   stream.read(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
   if (static_cast<std::size_t>(stream.gcount()) != file.bytes.size()) {
@@ -68,7 +80,6 @@ Expected<FileBytes> read_file_bytes(const std::filesystem::path& path, std::size
   if (file.bytes.empty()) {
     return bad_input("the file is empty", name);
   }
-  file.sha256 = sha256(file.bytes);
   return file;
 }
 

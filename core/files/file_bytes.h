@@ -19,4 +19,9 @@ struct FileBytes {
 Expected<FileBytes> read_file_bytes(const std::filesystem::path& path, std::size_t max_bytes,
                                     std::string_view expected = "a file");
 
+/// The same without the hash, which takes as long as reading does: for who computes it (core/files/hash.h) beside what
+/// is done with the bytes.
+Expected<FileBytes> read_unhashed_file_bytes(const std::filesystem::path& path, std::size_t max_bytes,
+                                             std::string_view expected = "a file");
+
 }  // namespace artcal

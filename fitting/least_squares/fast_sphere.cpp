@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/large_pages.h"
+#include "core/parallel.h"
 #include "fitting/least_squares/sphere_kernel.h"
 
 namespace artcal::fitting {
@@ -23,6 +26,81 @@ SphereView view_of(const Points& points, const Eigen::Vector3d& origin, const Sp
           {origin.x(), origin.y(), origin.z()},
           {at.centre.x(), at.centre.y(), at.centre.z()},
           at.radius};
+}
+
+// Passes over many points run side by side in blocks, whose sums are added in their order: the digits are those of one
+// thread. Fewer points than a block holds are summed as one.
+constexpr std::size_t block_size = std::size_t{1} << 16u;
+
+// Calls pass(points, the first one's number) for each block.
+template <typename Result, typename Pass>
+std::vector<Result> in_blocks(const SphereView& all, const Pass& pass) {
+  std::vector<Result> results((all.count + block_size - 1) / block_size);
+  parallel_blocks(all.count, block_size, [&](std::size_t begin, std::size_t end) {
+    SphereView part = all;
+    part.xyz += 3 * begin;
+    part.count = end - begin;
+    results[begin / block_size] = pass(part, begin);
+  });
+  return results;
+}
+
+SphereGradient& operator+=(SphereGradient& sum, const SphereGradient& part) {
+  for (int i = 0; i < 3; ++i) {
+    sum.du[i] += part.du[i];
+  }
+  sum.d += part.d;
+  sum.dd += part.dd;
+  return sum;
+}
+
+SphereSums& operator+=(SphereSums& sum, const SphereSums& part) {
+  sum.gradient += part.gradient;
+  for (int i = 0; i < 3; ++i) {
+    sum.u[i] += part.u[i];
+  }
+  for (int i = 0; i < 6; ++i) {
+    sum.uuf[i] += part.uuf[i];
+  }
+  sum.f += part.f;
+  return sum;
+}
+
+template <typename Sums>
+Sums total(const std::vector<Sums>& parts) {
+  Sums sum = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    sum += parts[i];
+  }
+  return sum;
+}
+
+SphereSums sums_of(const SphereView& view) {
+  if (view.count <= block_size) {
+    return sphere_sums(view);
+  }
+  return total(in_blocks<SphereSums>(view, [](const SphereView& part, std::size_t) { return sphere_sums(part); }));
+}
+
+SphereGradient gradient_of(const SphereView& view) {
+  if (view.count <= block_size) {
+    return sphere_gradient(view);
+  }
+  return total(
+      in_blocks<SphereGradient>(view, [](const SphereView& part, std::size_t) { return sphere_gradient(part); }));
+}
+
+SphereResiduals residuals_of(const SphereView& view, double* d) {
+  if (view.count <= block_size) {
+    return sphere_residuals(view, d);
+  }
+  const auto parts = in_blocks<SphereResiduals>(
+      view, [&](const SphereView& part, std::size_t first) { return sphere_residuals(part, d + first); });
+  SphereResiduals all = parts.front();
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    all = {std::min(all.low, parts[i].low), std::max(all.high, parts[i].high), all.dd + parts[i].dd};
+  }
+  return all;
 }
 
 // Runs of neighbours, spread over the whole: as cheap to read as they come.
@@ -105,7 +183,7 @@ std::optional<Bottom> newton(const Points& points, const Eigen::Vector3d& origin
   Bottom bottom{start, {}, 0};
   while (bottom.steps < max_steps) {
     Sphere& at = bottom.sphere;
-    const SphereSums sums = sphere_sums(view_of(points, origin, at));
+    const SphereSums sums = sums_of(view_of(points, origin, at));
     const Inverse inverse = inverse_of(hessian(sums, at.radius, count), count, radius_is_known);
     bottom.inverse = inverse.matrix;
     const Eigen::Vector4d step = bottom.inverse * downhill(sums.gradient);
@@ -131,8 +209,8 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   constexpr int max_steps = 20;
   const auto count = static_cast<double>(points.cols());
   const double share = count / static_cast<double>(part.cols());
-  const SphereSums all = sphere_sums(view_of(points, origin, start));
-  const SphereSums some = sphere_sums(view_of(part, origin, start));
+  const SphereSums all = sums_of(view_of(points, origin, start));
+  const SphereSums some = sums_of(view_of(part, origin, start));
   const Eigen::Matrix4d bend = hessian(all, start.radius, count);
   const Eigen::Matrix4d lacking = bend - share * hessian(some, start.radius, static_cast<double>(part.cols()));
   const Inverse inverse = inverse_of(bend, count, radius_is_known);
@@ -143,7 +221,7 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   Eigen::Vector4d way = bottom.inverse * downhill(all.gradient);
   const double relative = way.cwiseAbs().maxCoeff() / start.radius;
   for (int i = 0; i < 2; ++i) {
-    const SphereGradient here = sphere_gradient(view_of(part, origin, moved(start, way)));
+    const SphereGradient here = gradient_of(view_of(part, origin, moved(start, way)));
     const Eigen::Vector4d gradient =
         downhill(all.gradient) + share * (downhill(here) - downhill(some.gradient)) - lacking * way;
     way += bottom.inverse * gradient;
@@ -151,7 +229,7 @@ std::optional<Bottom> newton_by_part(const Points& points, const Points& part, c
   bottom.sphere = moved(start, way);
   double left = 0.5 * relative * relative / std::sqrt(static_cast<double>(part.cols()));
   while (left > arrived) {
-    const SphereGradient here = sphere_gradient(view_of(points, origin, bottom.sphere));
+    const SphereGradient here = gradient_of(view_of(points, origin, bottom.sphere));
     const Eigen::Vector4d step = bottom.inverse * downhill(here);
     left = step.cwiseAbs().maxCoeff() / start.radius * std::max(relative, 1e-3);
     bottom.sphere = moved(bottom.sphere, step);
@@ -199,7 +277,8 @@ std::optional<Fitted<Sphere>> fit_plain_sphere(const Points& points, const FitOp
   }
   Fitted<Sphere> fitted;
   fitted.residuals.resize(points.cols());
-  const auto residuals = sphere_residuals(view_of(points, origin, bottom->sphere), fitted.residuals.data());
+  prefer_large_pages(fitted.residuals.data(), static_cast<std::size_t>(points.cols()) * sizeof(double));
+  const auto residuals = residuals_of(view_of(points, origin, bottom->sphere), fitted.residuals.data());
   const auto count = static_cast<double>(points.cols());
   fitted.feature = {origin + bottom->sphere.centre, bottom->sphere.radius};
   fitted.form = residuals.high - residuals.low;

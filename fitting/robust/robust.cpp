@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <type_traits>
-#include <unordered_set>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "core/large_pages.h"
+#include "core/parallel.h"
 #include "core/statistics.h"
+#include "fitting/bounding_box.h"
+#include "fitting/chosen_points.h"
 #include "fitting/distance_gradient.h"
 #include "fitting/known.h"
 #include "fitting/outlier_test.h"
+#include "fitting/robust/distinct_points.h"
 #include "fitting/robust/robust_start.h"
 
 namespace artcal {
@@ -54,62 +58,17 @@ Expected<void> check(const FitOptions& options, const RobustOptions& robust) {
   return {};
 }
 
-/// Points that differ, and which of them each point is: one touch read many times is no evidence for itself.
-struct Distinct {
-  Eigen::Matrix3Xd points;
-  Eigen::VectorXd weights;
-  std::vector<int> of{};  ///< of each point; -1: it has weight zero
-};
-
-/// Columns by their coordinates.
-struct SameCoordinates {
-  const Points& points;
-  bool operator()(int a, int b) const { return points.col(a) == points.col(b); }
-  std::size_t operator()(int a) const {
-    std::size_t hash = 0;
-    for (const double coordinate : points.col(a)) {
-      hash = 0x9E3779B97F4A7C15u * (hash ^ (hash >> 29u) ^ std::hash<double>()(coordinate));
-    }
-    return hash ^ (hash >> 32u);
-  }
-};
-
-Distinct distinct_points(const Points& points, const Eigen::VectorXd& weights) {
-  Distinct distinct;
-  const SameCoordinates same{points};
-  const auto size = static_cast<std::size_t>(points.cols());
-  std::unordered_set<int, SameCoordinates, SameCoordinates> known(size, same, same);
-  std::vector<int> first;
-  distinct.of.assign(size, -1);
-  for (int i = 0; i < static_cast<int>(points.cols()); ++i) {
-    if (weights.size() > 0 && weights(i) == 0.0) {
-      continue;
-    }
-    const auto [at, is_new] = known.insert(i);
-    if (is_new) {
-      distinct.of[i] = static_cast<int>(first.size());
-      first.push_back(i);
-    } else {
-      distinct.of[i] = distinct.of[*at];
-    }
-  }
-  distinct.points = points(Eigen::all, first);
-  distinct.weights =
-      weights.size() > 0 ? Eigen::VectorXd(weights(first)) : Eigen::VectorXd::Ones(distinct.points.cols());
-  return distinct;
-}
-
 /// Which points a fit keeps, and how far each is from it.
 template <typename F>
 class Search {
  public:
-  Search(const Distinct& distinct, const FitOptions& options, double limit)
-      : points_(distinct.points),
-        weights_(distinct.weights),
+  Search(const Points& points, const Eigen::VectorXd& weights, const FitOptions& options, double limit)
+      : points_(points),
+        weights_(weights),
         options_(bare(options)),
         dimensions_(dimensions<F>(options)),
         chance_(std::erfc(limit / std::sqrt(2.0))),
-        floor_(64.0 * std::numeric_limits<double>::epsilon() * points_.cwiseAbs().maxCoeff()),
+        floor_(64.0 * std::numeric_limits<double>::epsilon() * bounding_box(points_).largest_coordinate()),
         kept_(static_cast<std::size_t>(points_.cols()), false) {}
 
   std::vector<bool> from(const F& start, Eigen::Index sound) {
@@ -126,7 +85,7 @@ class Search {
   void begin_with_all(const F& start, Eigen::Index sound) {
     distances_.clear();
     for (Eigen::Index i = 0; i < points_.cols(); ++i) {
-      distances_.push_back(std::abs(signed_distance(start, points_.col(i))) * std::sqrt(weights_(i)));
+      distances_.push_back(std::abs(signed_distance(start, points_.col(i))) * std::sqrt(weight(i)));
     }
     keep_nearest(sound);
     concentrate(sound);
@@ -136,41 +95,57 @@ class Search {
   // §3.3): false where it has no fit that can judge.
   bool begin_with_some(const F& start, Eigen::Index sound) {
     const Eigen::Index count = points_.cols();
-    std::vector<Eigen::Index> some;
+    std::vector<int> some;
     for (Eigen::Index i = 0; i < searched_points; ++i) {
-      some.push_back(i * count / searched_points);
+      some.push_back(static_cast<int>(i * count / searched_points));
     }
-    const Distinct part{points_(Eigen::all, some), weights_(some)};
-    Search coarse(part, options_, chance_, dimensions_);
+    const Eigen::Matrix3Xd points = chosen_points(points_, some);
+    const Eigen::VectorXd weights = weights_.size() == 0 ? Eigen::VectorXd() : Eigen::VectorXd(weights_(some));
+    Search coarse(points, weights, options_, chance_, dimensions_);
     coarse.from(start, (searched_points * sound + count - 1) / count);
     const auto fitted = coarse.fit_kept();
     if (!fitted || fitted->degrees_of_freedom < plenty) {
       return false;
     }
-    distances_.assign(kept_.size(), 0.0);
+    distances_ = large_vector<double>(kept_.size());
     standardise(*fitted);
     keep_all_within(fitted->degrees_of_freedom);
     return true;
   }
 
-  Search(const Distinct& distinct, const FitOptions& options, double chance, int dimensions)
-      : points_(distinct.points),
-        weights_(distinct.weights),
+  Search(const Points& points, const Eigen::VectorXd& weights, const FitOptions& options, double chance, int dimensions)
+      : points_(points),
+        weights_(weights),
         options_(options),
         dimensions_(dimensions),
         chance_(chance),
-        floor_(64.0 * std::numeric_limits<double>::epsilon() * points_.cwiseAbs().maxCoeff()),
+        floor_(64.0 * std::numeric_limits<double>::epsilon() * bounding_box(points_).largest_coordinate()),
         kept_(static_cast<std::size_t>(points_.cols()), false) {}
 
   [[nodiscard]] Eigen::Index kept_count() const { return std::count(kept_.begin(), kept_.end(), true); }
 
+  [[nodiscard]] double weight(Eigen::Index i) const { return weights_.size() == 0 ? 1.0 : weights_(i); }
+
   [[nodiscard]] Expected<Fitted<F>> fit_kept() const {
     FitOptions options = options_;
-    options.weights = weights_;
+    if (points_.cols() > many_points && weights_.size() == 0) {
+      return fit<F>(chosen_points(points_, kept_columns()), options);
+    }
+    options.weights = weights_.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Ones(points_.cols())) : weights_;
     for (Eigen::Index i = 0; i < points_.cols(); ++i) {
       options.weights(i) *= kept_[static_cast<std::size_t>(i)] ? 1.0 : 0.0;
     }
     return fit<F>(points_, options);
+  }
+
+  [[nodiscard]] std::vector<int> kept_columns() const {
+    std::vector<int> columns;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      if (kept_[i]) {
+        columns.push_back(static_cast<int>(i));
+      }
+    }
+    return columns;
   }
 
   void keep_nearest(Eigen::Index count) {
@@ -198,7 +173,7 @@ class Search {
       }
       for (Eigen::Index i = 0; i < points_.cols(); ++i) {
         distances_[static_cast<std::size_t>(i)] =
-            std::abs(signed_distance(fitted->feature, points_.col(i))) * std::sqrt(weights_(i));
+            std::abs(signed_distance(fitted->feature, points_.col(i))) * std::sqrt(weight(i));
       }
       const auto before = kept_;
       keep_nearest(sound);
@@ -212,7 +187,7 @@ class Search {
   // fit towards itself, for another the feature is uncertain beside the noise.
   [[nodiscard]] double standardised(double distance, const DistanceGradient<F>& gradient, const Fitted<F>& fitted,
                                     double noise, std::size_t i) const {
-    const double own = noise * noise / weights_(static_cast<Eigen::Index>(i));
+    const double own = noise * noise / weight(static_cast<Eigen::Index>(i));
     const double feature = fitted.covariance ? gradient.dot(*fitted.covariance * gradient) : 0.0;
     const double variance = kept_[i] ? std::max(own - feature, 1e-6 * own) : own + feature;
     return std::abs(distance) / std::sqrt(variance);
@@ -220,11 +195,14 @@ class Search {
 
   void standardise(const Fitted<F>& fitted) {
     const double noise = std::max(fitted.noise.value_or(0.0), floor_);
-    for (std::size_t i = 0; i < distances_.size(); ++i) {
-      const Eigen::Vector3d p = points_.col(static_cast<Eigen::Index>(i));
-      distances_[i] =
-          standardised(signed_distance(fitted.feature, p), distance_gradient(fitted.feature, p), fitted, noise, i);
-    }
+    constexpr std::size_t block_size = std::size_t{1} << 14u;
+    parallel_blocks(distances_.size(), block_size, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Eigen::Vector3d p = points_.col(static_cast<Eigen::Index>(i));
+        distances_[i] =
+            standardised(signed_distance(fitted.feature, p), distance_gradient(fitted.feature, p), fitted, noise, i);
+      }
+    });
     if constexpr (std::is_same_v<F, Circle>) {
       if (options_.circle == CircleConvention::Projected) {
         standardise_projected(fitted, noise);
@@ -238,7 +216,7 @@ class Search {
     double squares = 0.0;
     for (std::size_t i = 0; i < distances_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      squares += kept_[i] ? weights_(k) * std::pow(circle.normal.dot(points_.col(k) - circle.centre), 2) : 0.0;
+      squares += kept_[i] ? weight(k) * std::pow(circle.normal.dot(points_.col(k) - circle.centre), 2) : 0.0;
     }
     const double out_of_plane =
         std::max(options_.noise.value_or(std::sqrt(squares / std::max(1, fitted.degrees_of_freedom))), floor_);
@@ -299,8 +277,8 @@ class Search {
     return true;
   }
 
-  const Eigen::Matrix3Xd& points_;
-  const Eigen::VectorXd& weights_;
+  const Points points_;
+  const Eigen::VectorXd& weights_;  // none: all are one
   FitOptions options_;
   int dimensions_;
   double chance_;
@@ -313,17 +291,17 @@ class Search {
 // The points that are needed to say of one that it does not belong: the others must determine the feature and have
 // something left over to judge it by.
 template <typename F>
-Expected<void> check_count(const Distinct& distinct, const FitOptions& options) {
+Expected<void> check_count(const DistinctPoints& distinct, const FitOptions& options) {
   const int each = dimensions<F>(options);
   const int left_over = options.noise ? 1 : 2;
   const int needed = 1 + (determined_numbers<F>(options) + left_over + each - 1) / each;
-  if (distinct.points.cols() >= needed) {
+  if (distinct.points().cols() >= needed) {
     return {};
   }
   return bad_input(fmt::format(
       "outliers among the points of a {} can be found from {} different points on, here are {}: fit all of them "
       "without looking for outliers, or take more",
-      Known<F>::requirement.feature, needed, distinct.points.cols()));
+      Known<F>::requirement.feature, needed, distinct.points().cols()));
 }
 
 }  // namespace
@@ -337,21 +315,22 @@ Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& opt
   if (const auto plain = fit<F>(points, options); !plain && plain.error().code != ErrorCode::NoSolution) {
     return tl::unexpected(plain.error());
   }
-  const Distinct distinct = distinct_points(points, options.weights);
+  const DistinctPoints distinct(points, options.weights);
   if (auto enough = check_count<F>(distinct, options); !enough) {
     return tl::unexpected(enough.error());
   }
   const int through = requirement_for<F>(options).points;
-  const Eigen::Index sound = sound_points(distinct.points.cols(), through, robust.share);
-  const auto start = best_subset<F>(distinct.points, bare(options), sound, robust.seed);
+  const Eigen::Index sound = sound_points(distinct.points().cols(), through, robust.share);
+  const auto start = best_subset<F>(distinct.points(), bare(options), sound, robust.seed);
   if (!start) {
     return no_solution("no subset of the points determines the feature; are they all on one line or plane?");
   }
-  const std::vector<bool> kept = Search<F>(distinct, options, robust.limit).from(*start, sound);
+  const std::vector<bool> kept =
+      Search<F>(distinct.points(), distinct.weights(), options, robust.limit).from(*start, sound);
   FitOptions last = options;
   RobustFitted<F> result;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
-    const int which = distinct.of[static_cast<std::size_t>(i)];
+    const int which = distinct.of(static_cast<std::size_t>(i));
     if (which >= 0 && !kept[static_cast<std::size_t>(which)]) {
       result.outliers.push_back(static_cast<int>(i));
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/text/point_text.h"
+#include "fitting/bounding_box.h"
 
 namespace artcal {
 namespace {
@@ -83,7 +84,7 @@ std::vector<std::optional<FoundSphere>> named(std::vector<FoundSphere>& spheres,
 PlaneSearch plane_search(const Points& points, const ScanContents& wanted, const std::vector<FoundSphere>& spheres) {
   PlaneSearch search;
   search.count = wanted.planes;
-  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  const double diagonal = fitting::bounding_box(points).size().norm();
   // Some thirty points a cube, were they spread over a surface as large as the room they stand in.
   search.patch = std::max(diagonal * std::sqrt(30.0 / static_cast<double>(points.cols())), 1e-6 * diagonal);
   for (const FoundSphere& sphere : spheres) {

@@ -1,5 +1,6 @@
 #include "core/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <vector>
@@ -27,6 +28,23 @@ TEST(Parallel, ThreadsAreNeverMoreThanItems) {
   EXPECT_EQ(thread_count(5, 0), 1);
   EXPECT_EQ(thread_count(100000, 100000), 256);
   EXPECT_GE(thread_count(0, 1000), 1);
+}
+
+// Each recording of a batch is one of several pieces of work: what it does by itself shares no more threads out.
+TEST(Parallel, WorkInsideOfWorkHasOneThread) {
+  const int of_machine = thread_count(0, 1000);
+  {
+    const OneThreadOnly outer;
+    EXPECT_EQ(thread_count(0, 1000), 1);
+    { const OneThreadOnly inner; }
+    EXPECT_EQ(thread_count(0, 1000), 1);
+    EXPECT_EQ(thread_count(3, 1000), 3);
+  }
+  std::atomic<int> most{0};
+  on_threads(2, [&] { most = std::max(most.load(), thread_count(0, 1000)); });
+  EXPECT_EQ(most, 1);
+  on_threads(1, [&] { EXPECT_EQ(thread_count(0, 1000), of_machine); });
+  EXPECT_EQ(thread_count(0, 1000), of_machine);
 }
 
 TEST(Parallel, AnExceptionReachesTheCallerWhenAllHaveReturned) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "fitting/bounding_box.h"
 #include "fitting/chosen_points.h"
 #include "fitting/cloud.h"
 #include "fitting/segmentation/planes/curved.h"
@@ -28,7 +29,7 @@ class PlaneFinder {
     for (const int i : search.taken) {
       taken_[static_cast<std::size_t>(i)] = 1;
     }
-    const double largest = points.cwiseAbs().maxCoeff();
+    const double largest = fitting::bounding_box(points).largest_coordinate();
     rounding_ = 16.0 * std::numeric_limits<double>::epsilon() * largest;
   }
 

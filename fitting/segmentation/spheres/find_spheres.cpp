@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "core/parallel.h"
 #include "fitting/cloud.h"
 #include "fitting/segmentation/spheres/candidate.h"
 #include "fitting/segmentation/votes/centre_votes.h"
@@ -122,12 +124,15 @@ Expected<SphereSearchResult> find_spheres(const Points& points, const SphereSear
     if (!grid) {
       return tl::unexpected(grid.error());
     }
-    for (const Candidate& candidate : candidates(*grid, radius)) {
-      auto found = examine(points, *grid, candidate, radius, search);
-      if (found) {
-        result.spheres.push_back(std::move(*found));
+    const std::vector<Candidate> places = candidates(*grid, radius);
+    std::vector<std::optional<tl::expected<FoundSphere, RejectedSphere>>> examined(places.size());
+    parallel_for(places.size(), 0,
+                 [&](std::size_t i) { examined[i] = examine(points, *grid, places[i], radius, search); });
+    for (auto& found : examined) {
+      if (*found) {
+        result.spheres.push_back(std::move(**found));
       } else {
-        result.rejected.push_back(std::move(found.error()));
+        result.rejected.push_back(std::move(found->error()));
       }
     }
   }

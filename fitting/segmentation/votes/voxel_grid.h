@@ -54,6 +54,11 @@ class VoxelGrid {
   [[nodiscard]] std::vector<int> within(const Points& points, const Eigen::Vector3d& centre, double radius) const;
 
  private:
+  /// Puts the points in the order of their cubes and notes where each cube begins; `size` is that of the room.
+  void sort(const Points& points, const Eigen::Vector3d& size);
+  template <typename KeyAt>
+  void begin_cubes(const KeyAt& key_at);
+  void sum_up(const Points& points);
   /// Calls visit(cube) for every cube that may reach within `radius` of `centre`.
   template <typename Visit>
   void visit_around(const Eigen::Vector3d& centre, double radius, const Visit& visit) const;

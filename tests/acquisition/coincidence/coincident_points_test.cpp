@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "acquisition/coincidence/coincident_columns.h"
 #include "core/random.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,15 +23,6 @@ PointCloud cloud_of(const std::vector<Eigen::Vector3d>& points) {
 }
 
 const Eigen::Vector3d a(1, 2, 3), b(4, 5, 6), c(7, 8, 9.5), zero(0, 0, 0);
-
-TEST(CoincidentColumns, FirstOfTheSame) {
-  Eigen::MatrixXd columns(2, 6);
-  columns << 1, 2, 1, NAN, -0.0, NAN, 0, 0, 0, 5, 0, 5;
-  EXPECT_THAT(first_coincident(columns), ElementsAre(0, 1, 0, 3, 4, 3));
-  columns(0, 1) = 0.0;
-  EXPECT_THAT(first_coincident(columns), ElementsAre(0, 1, 0, 3, 1, 3));
-  EXPECT_THAT(first_coincident(Eigen::MatrixXd(3, 0)), IsEmpty());
-}
 
 TEST(CoincidentPoints, EachPlaceCountsOnce) {
   PointCloud cloud = cloud_of({a, b, a, a, c, b});

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/parallel.h"
 #include "tests/support/scans.h"
 
 namespace artcal::testing {
@@ -48,6 +49,30 @@ TEST(Segment, NamesTheBallsOfABar) {
   ASSERT_THAT(result.spheres, SizeIs(3));
   for (std::size_t i = 0; i < 3; ++i) expect_at(result.spheres[i], scan.centres[i]);
   EXPECT_THAT(result.warnings, IsEmpty());
+}
+
+TEST(Segment, OneThreadGivesTheDigitsOfSeveral) {
+  ScanSettings settings = a_bar();
+  settings.spacing = 0.7;
+  settings.ball_spacing = 0.15;
+  const SimulatedScan scan = simulate_scan(settings);
+  ASSERT_GT(scan.points.cols(), 150'000);
+  ScanContents contents = contents_of(settings);
+  contents.planes = 1;
+  const Segmentation several = segment(scan.points, contents).value();
+  const OneThreadOnly only;
+  const Segmentation one = segment(scan.points, contents).value();
+  ASSERT_EQ(several.status, SegmentStatus::Complete);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(several.spheres[i]->points, one.spheres[i]->points);
+    EXPECT_EQ(several.spheres[i]->fitted.feature.parameters(), one.spheres[i]->fitted.feature.parameters());
+    EXPECT_EQ(several.spheres[i]->coverage, one.spheres[i]->coverage);
+    EXPECT_EQ(several.spheres[i]->u_seen_radius, one.spheres[i]->u_seen_radius);
+  }
+  EXPECT_EQ(several.planes.front().points, one.planes.front().points);
+  EXPECT_EQ(several.planes.front().fitted.feature.parameters(), one.planes.front().fitted.feature.parameters());
+  ASSERT_EQ(several.rejected.size(), one.rejected.size());
+  for (std::size_t i = 0; i < one.rejected.size(); ++i) EXPECT_EQ(several.rejected[i].why, one.rejected[i].why);
 }
 
 TEST(Segment, ABallIsMissingAndAnotherStandsBeside) {

@@ -1,5 +1,7 @@
 #include "fitting/segmentation/votes/voxel_grid.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -80,6 +82,49 @@ TEST(VoxelGrid, HugeRoomsAreCountedRight) {
   EXPECT_EQ(grid.within(points, points.col(7), 1.0), std::vector<int>{7});
   points.col(7) = Eigen::Vector3d::Constant(1e9);
   EXPECT_FALSE(VoxelGrid::make(points, 2.0));
+}
+
+// Cubes ascend with x fastest, the points of each ascend and are summed up in that order, to the last digit: in a room
+// whose cubes and points go into one number, and in one where they do not.
+TEST(VoxelGrid, IsThatOfAPlainSort) {
+  for (const double far : {0.0, 4e6}) {
+    auto points = some_points(200'000, 30.0, {-5.0, 3.0, 40.0});
+    points.col(7) += Eigen::Vector3d::Constant(far);
+    constexpr double edge = 2.0;
+    const Eigen::Vector3d origin = points.rowwise().minCoeff();
+    std::map<std::array<double, 3>, std::vector<std::uint32_t>> cubes;
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+      const Eigen::Vector3d at = ((points.col(i) - origin) / edge).array().floor();
+      cubes[{at.z(), at.y(), at.x()}].push_back(static_cast<std::uint32_t>(i));
+    }
+    const VoxelGrid grid = VoxelGrid::make(points, edge).value();
+    ASSERT_EQ(grid.size(), cubes.size());
+    std::size_t cube = 0;
+    for (const auto& [key, expected] : cubes) {
+      const auto in_cube = grid.points_in(cube);
+      ASSERT_TRUE(std::equal(in_cube.begin(), in_cube.end(), expected.begin(), expected.end())) << cube;
+      Moments moments;
+      for (const std::uint32_t i : expected) {
+        moments.add(points.col(i) - origin);
+      }
+      EXPECT_EQ(grid.moments(cube).sum, moments.sum);
+      EXPECT_EQ(grid.moments(cube).squares, moments.squares);
+      ++cube;
+    }
+  }
+}
+
+TEST(VoxelGrid, FindsManyPointsInTheirOrder) {
+  const auto points = some_points(50'000, 10.0, {0.0, 0.0, 0.0});
+  const VoxelGrid grid = VoxelGrid::make(points, 1.0).value();
+  const Eigen::Vector3d middle(5.0, 5.0, 5.0);
+  for (const double radius : {0.5, 4.0, 20.0}) {
+    std::vector<int> expected;
+    for (int i = 0; i < points.cols(); ++i) {
+      if ((points.col(i) - middle).squaredNorm() < radius * radius) expected.push_back(i);
+    }
+    EXPECT_EQ(grid.within(points, middle, radius), expected) << radius;
+  }
 }
 
 TEST(DirectionCells, SharesAreAreas) {
