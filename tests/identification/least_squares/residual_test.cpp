@@ -9,8 +9,18 @@ namespace {
 
 struct Case {
   Location location;
-  ConstraintKind kind;
+  ConstraintKind (*kind)();
 };
+
+template <typename Kind>
+ConstraintKind a() {
+  return Kind{};
+}
+
+template <int facing>
+ConstraintKind a_face() {
+  return OnPlane{{}, GaugeFace{facing, 70.0}};
+}
 
 /// Everything a residual depends on, as one vector: tip (3), tip radius, group (6), shared (4).
 using Arguments = Eigen::Matrix<double, 14, 1>;
@@ -23,7 +33,7 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
   for (int trial = 0; trial < 50; ++trial) {
     FeatureConstraint constraint;
     constraint.location = GetParam().location;
-    constraint.kind = GetParam().kind;
+    constraint.kind = GetParam().kind();
     constraint.readings = {0};
     constraint.known = {100.0 * random.direction()};
     const Eigen::Vector3d normal = random.direction();
@@ -61,14 +71,13 @@ TEST_P(ResidualDerivatives, AreTheDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ResidualDerivatives,
-                         ::testing::Values(Case{Location::Unknown, Coincide{}}, Case{Location::Unknown, AtDistance{}},
-                                           Case{Location::Unknown, OnBall{}}, Case{Location::Unknown, OnPlane{}},
-                                           Case{Location::Unknown, OnPlane{{}, GaugeFace{1.0, 70.0}}},
-                                           Case{Location::Unknown, OnPlane{{}, GaugeFace{-1.0, 70.0}}},
-                                           Case{Location::Posed, Coincide{}}, Case{Location::Posed, AtDistance{}},
-                                           Case{Location::Posed, OnBall{}}, Case{Location::Posed, OnPlane{}},
-                                           Case{Location::Base, Coincide{}}, Case{Location::Base, AtDistance{}},
-                                           Case{Location::Base, OnBall{}}, Case{Location::Base, OnPlane{}}));
+                         ::testing::Values(Case{Location::Unknown, a<Coincide>}, Case{Location::Unknown, a<AtDistance>},
+                                           Case{Location::Unknown, a<OnBall>}, Case{Location::Unknown, a<OnPlane>},
+                                           Case{Location::Unknown, a_face<1>}, Case{Location::Unknown, a_face<-1>},
+                                           Case{Location::Posed, a<Coincide>}, Case{Location::Posed, a<AtDistance>},
+                                           Case{Location::Posed, a<OnBall>}, Case{Location::Posed, a<OnPlane>},
+                                           Case{Location::Base, a<Coincide>}, Case{Location::Base, a<AtDistance>},
+                                           Case{Location::Base, a<OnBall>}, Case{Location::Base, a<OnPlane>}));
 
 // Signed: inside the ball is negative, outside positive, no jump between.
 TEST(Residual, OfABallIsSigned) {

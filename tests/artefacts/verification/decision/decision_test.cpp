@@ -6,6 +6,7 @@
 
 #include "artefacts/verification/decision/budget.h"
 #include "artefacts/verification/decision/limit.h"
+#include "artefacts/verification/decision/specification.h"
 #include "core/random.h"
 
 namespace artcal {
