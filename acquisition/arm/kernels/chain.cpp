@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/kernels/kernel_variants.h"
+
 namespace artcal {
 namespace {
 
@@ -143,33 +145,20 @@ void pass_by_any(const Chain& chain, const double* sines, const double* q, doubl
   pass_all<Two>(chain, sines, q, tips, derivative);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void pass_by_avx2(const Chain& chain, const double* sines, const double* q, double* tips,
-                                          double* derivative) {
+ARTCAL_FOR_AVX2 void pass_by_avx2(const Chain& chain, const double* sines, const double* q, double* tips,
+                                  double* derivative) {
   pass_all<Four>(chain, sines, q, tips, derivative);
 }
 
-[[gnu::target("avx512f")]] void pass_by_avx512(const Chain& chain, const double* sines, const double* q, double* tips,
-                                               double* derivative) {
+ARTCAL_FOR_AVX512 void pass_by_avx512(const Chain& chain, const double* sines, const double* q, double* tips,
+                                      double* derivative) {
   pass_all<Eight>(chain, sines, q, tips, derivative);
 }
-#endif
 
 }  // namespace
 
 const std::vector<ChainVariant>& chain_variants() {
-  static const std::vector<ChainVariant> variants = [] {
-    std::vector<ChainVariant> all{{"any", pass_by_any}};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-      all.push_back({"avx2", pass_by_avx2});
-    }
-    if (__builtin_cpu_supports("avx512f")) {
-      all.push_back({"avx512f", pass_by_avx512});
-    }
-#endif
-    return all;
-  }();
+  static const auto variants = variants_of_this_machine<ChainVariant>(pass_by_any, pass_by_avx2, pass_by_avx512);
   return variants;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/kernels/kernel_variants.h"
+
 namespace artcal {
 namespace {
 
@@ -84,34 +86,20 @@ void put_by_any(const BallReadings& readings, const double* scale, int count, st
   put_all(readings, scale, count, stride, residuals, by_centre, by_arm);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void put_by_avx2(const BallReadings& readings, const double* scale, int count,
-                                         std::ptrdiff_t stride, double* residuals, double* by_centre, double* by_arm) {
+ARTCAL_FOR_AVX2 void put_by_avx2(const BallReadings& readings, const double* scale, int count, std::ptrdiff_t stride,
+                                 double* residuals, double* by_centre, double* by_arm) {
   put_all(readings, scale, count, stride, residuals, by_centre, by_arm);
 }
 
-[[gnu::target("avx512f")]] void put_by_avx512(const BallReadings& readings, const double* scale, int count,
-                                              std::ptrdiff_t stride, double* residuals, double* by_centre,
-                                              double* by_arm) {
+ARTCAL_FOR_AVX512 void put_by_avx512(const BallReadings& readings, const double* scale, int count,
+                                     std::ptrdiff_t stride, double* residuals, double* by_centre, double* by_arm) {
   put_all(readings, scale, count, stride, residuals, by_centre, by_arm);
 }
-#endif
 
 }  // namespace
 
 const std::vector<BallRowsVariant>& ball_rows_variants() {
-  static const std::vector<BallRowsVariant> variants = [] {
-    std::vector<BallRowsVariant> all{{"any", put_by_any}};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-      all.push_back({"avx2", put_by_avx2});
-    }
-    if (__builtin_cpu_supports("avx512f")) {
-      all.push_back({"avx512f", put_by_avx512});
-    }
-#endif
-    return all;
-  }();
+  static const auto variants = variants_of_this_machine<BallRowsVariant>(put_by_any, put_by_avx2, put_by_avx512);
   return variants;
 }
 

@@ -1,5 +1,7 @@
 #include "identification/least_squares/kernels/gram.h"
 
+#include "core/kernels/kernel_variants.h"
+
 namespace artcal {
 namespace {
 
@@ -57,31 +59,18 @@ template <int width>
 
 void add_by_any(const double* a, int rows, int columns, double* gram) { add_all<1>(a, rows, columns, gram); }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void add_by_avx2(const double* a, int rows, int columns, double* gram) {
+ARTCAL_FOR_AVX2 void add_by_avx2(const double* a, int rows, int columns, double* gram) {
   add_all<1>(a, rows, columns, gram);
 }
 
-[[gnu::target("avx512f")]] void add_by_avx512(const double* a, int rows, int columns, double* gram) {
+ARTCAL_FOR_AVX512 void add_by_avx512(const double* a, int rows, int columns, double* gram) {
   add_all<3>(a, rows, columns, gram);
 }
-#endif
 
 }  // namespace
 
 const std::vector<GramVariant>& gram_variants() {
-  static const std::vector<GramVariant> variants = [] {
-    std::vector<GramVariant> all{{"any", add_by_any}};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-      all.push_back({"avx2", add_by_avx2});
-    }
-    if (__builtin_cpu_supports("avx512f")) {
-      all.push_back({"avx512f", add_by_avx512});
-    }
-#endif
-    return all;
-  }();
+  static const auto variants = variants_of_this_machine<GramVariant>(add_by_any, add_by_avx2, add_by_avx512);
   return variants;
 }
 

@@ -1,5 +1,7 @@
 #include "identification/least_squares/kernels/reflection.h"
 
+#include "core/kernels/kernel_variants.h"
+
 namespace artcal {
 namespace {
 
@@ -55,33 +57,21 @@ void reflect_by_any(const RowPairs* v, int pairs, double twice, double* row, Row
   reflect_groups<1>(v, pairs, twice, row, columns, stride, groups);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void reflect_by_avx2(const RowPairs* v, int pairs, double twice, double* row, RowPairs* columns,
-                                             std::ptrdiff_t stride, int groups) {
+ARTCAL_FOR_AVX2 void reflect_by_avx2(const RowPairs* v, int pairs, double twice, double* row, RowPairs* columns,
+                                     std::ptrdiff_t stride, int groups) {
   reflect_groups<2>(v, pairs, twice, row, columns, stride, groups);
 }
 
-[[gnu::target("avx512f")]] void reflect_by_avx512(const RowPairs* v, int pairs, double twice, double* row,
-                                                  RowPairs* columns, std::ptrdiff_t stride, int groups) {
+ARTCAL_FOR_AVX512 void reflect_by_avx512(const RowPairs* v, int pairs, double twice, double* row, RowPairs* columns,
+                                         std::ptrdiff_t stride, int groups) {
   reflect_groups<4>(v, pairs, twice, row, columns, stride, groups);
 }
-#endif
 
 }  // namespace
 
 const std::vector<ReflectionVariant>& reflection_variants() {
-  static const std::vector<ReflectionVariant> variants = [] {
-    std::vector<ReflectionVariant> all{{"any", reflect_by_any}};
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-      all.push_back({"avx2", reflect_by_avx2});
-    }
-    if (__builtin_cpu_supports("avx512f")) {
-      all.push_back({"avx512f", reflect_by_avx512});
-    }
-#endif
-    return all;
-  }();
+  static const auto variants =
+      variants_of_this_machine<ReflectionVariant>(reflect_by_any, reflect_by_avx2, reflect_by_avx512);
   return variants;
 }
 
