@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/large_pages.h"
-#include "core/parallel.h"
 #include "fitting/least_squares/estimate.h"
+#include "fitting/point_blocks.h"
 
 namespace artcal::fitting {
 
@@ -73,12 +73,10 @@ struct ResidualSums {
 /// added in their order.
 template <typename F>
 void describe(const Points& points, const FitOptions& options, Fitted<F>& fitted) {
-  constexpr std::size_t block_size = std::size_t{1} << 16u;
   const auto count = static_cast<std::size_t>(points.cols());
   fitted.residuals.resize(points.cols());
   prefer_large_pages(fitted.residuals.data(), count * sizeof(double));
-  std::vector<ResidualSums> parts((count + block_size - 1) / block_size);
-  parallel_blocks(count, block_size, [&](std::size_t begin, std::size_t end) {
+  const auto parts = of_each_block<ResidualSums>(count, [&](std::size_t begin, std::size_t end) {
     ResidualSums part;
     for (auto i = static_cast<Eigen::Index>(begin); i < static_cast<Eigen::Index>(end); ++i) {
       const double d = fitted.residuals(i) = residual(fitted.feature, options, points.col(i));
@@ -87,7 +85,7 @@ void describe(const Points& points, const FitOptions& options, Fitted<F>& fitted
         part.add(d, weight);
       }
     }
-    parts[begin / block_size] = part;
+    return part;
   });
   ResidualSums sums;
   for (const ResidualSums& part : parts) {

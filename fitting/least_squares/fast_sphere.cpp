@@ -8,8 +8,8 @@
 #include <Eigen/LU>
 
 #include "core/large_pages.h"
-#include "core/parallel.h"
 #include "fitting/least_squares/sphere_kernel.h"
+#include "fitting/point_blocks.h"
 
 namespace artcal::fitting {
 namespace {
@@ -28,21 +28,15 @@ SphereView view_of(const Points& points, const Eigen::Vector3d& origin, const Sp
           at.radius};
 }
 
-// Passes over many points run side by side in blocks, whose sums are added in their order: the digits are those of one
-// thread. Fewer points than a block holds are summed as one.
-constexpr std::size_t block_size = std::size_t{1} << 16u;
-
 // Calls pass(points, the first one's number) for each block.
 template <typename Result, typename Pass>
 std::vector<Result> in_blocks(const SphereView& all, const Pass& pass) {
-  std::vector<Result> results((all.count + block_size - 1) / block_size);
-  parallel_blocks(all.count, block_size, [&](std::size_t begin, std::size_t end) {
+  return of_each_block<Result>(all.count, [&](std::size_t begin, std::size_t end) {
     SphereView part = all;
     part.xyz += 3 * begin;
     part.count = end - begin;
-    results[begin / block_size] = pass(part, begin);
+    return pass(part, begin);
   });
-  return results;
 }
 
 SphereGradient& operator+=(SphereGradient& sum, const SphereGradient& part) {
@@ -76,14 +70,14 @@ Sums total(const std::vector<Sums>& parts) {
 }
 
 SphereSums sums_of(const SphereView& view) {
-  if (view.count <= block_size) {
+  if (view.count <= points_of_a_block) {
     return sphere_sums(view);
   }
   return total(in_blocks<SphereSums>(view, [](const SphereView& part, std::size_t) { return sphere_sums(part); }));
 }
 
 SphereGradient gradient_of(const SphereView& view) {
-  if (view.count <= block_size) {
+  if (view.count <= points_of_a_block) {
     return sphere_gradient(view);
   }
   return total(
@@ -91,7 +85,7 @@ SphereGradient gradient_of(const SphereView& view) {
 }
 
 SphereResiduals residuals_of(const SphereView& view, double* d) {
-  if (view.count <= block_size) {
+  if (view.count <= points_of_a_block) {
     return sphere_residuals(view, d);
   }
   const auto parts = in_blocks<SphereResiduals>(

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "identification/cross_validation/expansion_unit.h"
 #include "identification/least_squares/arm_fit.h"
 #include "identification/least_squares/gram_tree.h"
 #include "identification/problem/system.h"
@@ -41,22 +42,15 @@ class GradientExpansion {
   [[nodiscard]] std::optional<Minimum> without(const Placement& placement) const;
 
  private:
-  /// Of one placement, or a sum.
-  struct Terms {
-    Eigen::VectorXd gradient;
-    Eigen::MatrixXd slope;
-    Eigen::MatrixXd curvature;  // T, a column for each pair j ≤ k of steps
-  };
-  /// The same kept of each placement: T, by its size, in half the memory.
+  /// The terms kept of each placement: T, by its size, in half the memory.
   struct KeptTerms {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd slope;
     Eigen::MatrixXf curvature;
   };
-  class Unit;
 
   Eigen::Index shared_ = 0;  // artefact parameters before the arm's x
-  Terms all_;
+  ExpansionTerms all_;
   std::vector<std::pair<Placement, KeptTerms>> own_;  // in order
 };
 

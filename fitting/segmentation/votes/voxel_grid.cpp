@@ -9,6 +9,7 @@
 #include "core/large_pages.h"
 #include "core/parallel.h"
 #include "fitting/bounding_box.h"
+#include "fitting/point_blocks.h"
 #include "fitting/segmentation/votes/radix_sort.h"
 
 namespace artcal::segmentation {
@@ -19,8 +20,7 @@ constexpr Key y_step = Key{1} << VoxelGrid::bits;
 constexpr Key z_step = y_step << VoxelGrid::bits;
 constexpr Key axis_mask = y_step - 1;
 
-constexpr std::size_t points_of_block = std::size_t{1} << 16u;  // points that one thread looks at together
-constexpr std::size_t ahead = 16;                               // points
+constexpr std::size_t ahead = 16;  // points
 
 // A cube of the finer grid and its key.
 struct Keyed {
@@ -53,7 +53,7 @@ void sort_columns(std::vector<int>& columns, std::size_t count) {
 
 template <typename Visit>
 void each_point(std::size_t count, const Visit& visit) {
-  parallel_blocks(count, points_of_block, [&](std::size_t begin, std::size_t end) {
+  parallel_blocks(count, fitting::points_of_a_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       visit(i);
     }
@@ -148,10 +148,10 @@ void VoxelGrid::begin_cubes(const KeyAt& key_at) {
 // Cubes are summed up side by side, the points of each in their order.
 void VoxelGrid::sum_up(const Points& points) {
   moments_.resize(size());
-  const std::size_t parts = (order_.size() + points_of_block - 1) / points_of_block;
+  const std::size_t parts = (order_.size() + fitting::points_of_a_block - 1) / fitting::points_of_a_block;
   const auto cube_from = [&](std::size_t part) {
-    return static_cast<std::size_t>(std::lower_bound(first_.begin(), first_.end() - 1, part * points_of_block) -
-                                    first_.begin());
+    return static_cast<std::size_t>(
+        std::lower_bound(first_.begin(), first_.end() - 1, part * fitting::points_of_a_block) - first_.begin());
   };
   parallel_for(parts, 0, [&](std::size_t part) {
     for (std::size_t cube = cube_from(part), end = cube_from(part + 1); cube < end; ++cube) {
