@@ -24,6 +24,9 @@ class CutOffWatch {
   /// `text` is the whole text of the table.
   explicit CutOffWatch(std::string_view text) : watches_(!text.empty() && text.back() != '\n' && text.back() != '\r') {}
 
+  /// Whether rows need to be shown to it at all.
+  [[nodiscard]] bool watches() const { return watches_; }
+
   /// The last field of each row in turn. `is_open`: the text ends within this field.
   void row(std::string_view last_field, bool is_open) {
     if (watches_) {

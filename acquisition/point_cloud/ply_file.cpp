@@ -72,6 +72,12 @@ Expected<PointCloud> read_ascii(Ply& ply, const CloudUnits& units) {
   CloudBuilder builder(units, ply.columns.size(), ply.vertex->count);
   std::vector<double> record(ply.columns.size());
   for (std::size_t i = 0; i < ply.vertex->count; ++i) {
+    if (const auto many = rows.take_many(ply.columns, width, ply.vertex->count - i); !many.empty()) {
+      const std::size_t count = many.size() / ply.columns.size();
+      builder.add(many.data(), count);
+      i += count - 1;
+      continue;
+    }
     if (!rows.next()) {
       return too_short(ply, *ply.vertex);
     }

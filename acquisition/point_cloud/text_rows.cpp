@@ -6,12 +6,18 @@
 
 #include <fmt/format.h>
 
+#include "core/parallel.h"
 #include "core/text/decimal_number.h"
 #include "core/text/in_quotes.h"
 #include "core/text/trimmed.h"
 
 namespace artcal {
 namespace {
+
+// What one thread reads at once, and how many of these are read before their numbers are handed on.
+constexpr std::size_t block_size = std::size_t{1} << 19;
+constexpr std::size_t max_blocks = 32;
+constexpr std::size_t worth_threads = 2 * block_size;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -167,6 +173,61 @@ Expected<void> TextRows::numbers(const std::vector<std::size_t>& columns, double
   watch_.row(fields_.back(), ends_open_);
   quotes_ = true;
   return {};
+}
+
+std::vector<double> TextRows::take_many(const std::vector<std::size_t>& columns, std::size_t width,
+                                        std::size_t max_rows, int threads) {
+  // Decimal signs agree, and numbers are cut off, in view of all rows.
+  if (rest_.size() < worth_threads || rest_.size() > many_from_ || separator_ == Separator::Semicolon ||
+      watch_.watches()) {
+    return {};
+  }
+  std::vector<std::string_view> blocks;
+  std::string_view left = rest_;
+  while (blocks.size() < max_blocks && !left.empty()) {
+    const std::size_t end = left.find('\n', std::min(block_size, left.size()) - 1);
+    blocks.push_back(left.substr(0, end == std::string_view::npos ? end : end + 1));
+    left.remove_prefix(blocks.back().size());
+  }
+  struct Block {
+    std::vector<double> numbers;
+    int lines = 0;
+    bool is_plain = true;
+  };
+  std::vector<Block> read(blocks.size());
+  parallel_for(blocks.size(), threads, [&](std::size_t b) {
+    TextRows rows(blocks[b], path_, 1, separator_);
+    Block block;  // its neighbours' lines of the cache are other threads'
+    block.numbers.reserve(static_cast<std::size_t>(std::count(blocks[b].begin(), blocks[b].end(), '\n')) *
+                          columns.size());
+    std::vector<double> row(columns.size());
+    while (block.is_plain && rows.next()) {
+      block.is_plain = rows.fields().size() == width && rows.numbers(columns, row.data()).has_value();
+      block.numbers.insert(block.numbers.end(), row.begin(), row.end());
+    }
+    block.lines = rows.next_line() - 1;
+    read[b] = std::move(block);
+  });
+  std::size_t size = 0;
+  bool are_plain = true;
+  for (const Block& block : read) {
+    size += block.numbers.size();
+    are_plain = are_plain && block.is_plain;
+  }
+  if (!are_plain || size > max_rows * columns.size()) {
+    many_from_ = left.size();
+    return {};
+  }
+  std::vector<double> numbers;
+  numbers.reserve(size);
+  for (const Block& block : read) {
+    numbers.insert(numbers.end(), block.numbers.begin(), block.numbers.end());
+    next_line_ += block.lines;
+  }
+  line_number_ = next_line_ - 1;
+  rest_ = left;
+  quotes_ = true;
+  return numbers;
 }
 
 std::string TextRows::shown(std::string_view field) const {

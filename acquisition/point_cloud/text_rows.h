@@ -39,6 +39,14 @@ class TextRows {
   Expected<void> numbers(const std::vector<std::size_t>& columns, double* values);
   [[nodiscard]] bool is_number_at(std::size_t column) const;
 
+  /// The numbers in `columns` of many rows to come, row behind row, read side by side on `threads` threads (0: as many
+  /// as the machine has). None, and no row taken, where less than a megabyte is left, where more than `max_rows` rows
+  /// would be taken, and where among the next megabytes is a row that has not `width` fields or not these numbers:
+  /// next() and numbers() then come to that row and say what is wrong with it. What is taken does not depend on the
+  /// number of threads.
+  std::vector<double> take_many(const std::vector<std::size_t>& columns, std::size_t width, std::size_t max_rows,
+                                int threads = 0);
+
   /// From now on messages may show what stands in the text: it is known to be a table of numbers. Its first row of
   /// numbers says so too.
   void allow_quotes() { quotes_ = true; }
@@ -54,6 +62,7 @@ class TextRows {
   [[nodiscard]] std::string shown(std::string_view field) const;
 
   std::string_view rest_;
+  std::size_t many_from_ = std::string_view::npos;  // take_many() tries again where no more than this is left
   std::string_view line_;
   std::vector<std::string_view> fields_;
   std::string path_;

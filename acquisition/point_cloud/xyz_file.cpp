@@ -151,6 +151,7 @@ class XyzReader {
       }
       shape.add(record.data());
       builder.add(record.data());
+      take_many_rows(shape, builder);
     }
     if (promised_ && *promised_ != read_) {
       return bad_input(fmt::format("the line promises {} points, {} follow; is the file truncated?", *promised_, read_),
@@ -168,6 +169,21 @@ class XyzReader {
     return std::move(builder).finish(file_, std::move(warnings_)).map([&](PointCloud&& cloud) {
       return ReadCloud{std::move(cloud), told_};
     });
+  }
+
+  void take_many_rows(ColumnShape& shape, CloudBuilder& builder) {
+    const auto next = [&] {
+      const std::size_t max_rows = promised_ ? *promised_ - std::min(*promised_, read_) : file_.bytes.size();
+      return rows_.take_many(columns_, width_, max_rows);
+    };
+    for (auto numbers = next(); !numbers.empty(); numbers = next()) {
+      const std::size_t count = numbers.size() / columns_.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        shape.add(numbers.data() + i * columns_.size());
+      }
+      builder.add(numbers.data(), count);
+      read_ += count;
+    }
   }
 
   // A PTS of several scans: the next count where the points of the last one are through.

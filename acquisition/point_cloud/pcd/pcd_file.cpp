@@ -67,6 +67,12 @@ Expected<PointCloud> read_ascii(Pcd& pcd, const CloudUnits& units) {
   }
   std::vector<double> record(columns.size());
   for (std::size_t i = 0; i < header.points; ++i) {
+    if (const auto many = rows.take_many(columns, header.record_numbers, header.points - i); !many.empty()) {
+      const std::size_t count = many.size() / columns.size();
+      builder.add(many.data(), count);
+      i += count - 1;
+      continue;
+    }
     if (!rows.next()) {
       return bad_input(fmt::format("{}, the file ends after {}; is it truncated?", promise(header), i), pcd.path);
     }
