@@ -9,8 +9,8 @@
 
 #include "core/overloaded.h"
 #include "identification/least_squares/linearisation.h"
-#include "identification/least_squares/row_stack.h"
 #include "identification/least_squares/rows.h"
+#include "identification/least_squares/triangular_factor.h"
 #include "identification/monte_carlo/arrow_factor.h"
 
 namespace artcal {
@@ -117,15 +117,27 @@ class Projection {
     return entry->second;
   }
 
-  [[nodiscard]] Eigen::MatrixXd determined(const RowsOfBlock& of_block) const {
-    RowStack stack(of_block.columns.all());
-    stack.add(of_block.rows);
-    RowMatrix own = RowMatrix::Zero(of_block.columns.nuisance(), of_block.columns.all());
-    for (int i = 0; i < of_block.columns.nuisance(); ++i) {
+  // Of the fitted columns only: the effects are many, and the factor of the fit does not look at them.
+  [[nodiscard]] static Eigen::MatrixXd determined(const RowsOfBlock& of_block) {
+    const BlockColumns& columns = of_block.columns;
+    const Eigen::Index fitted = columns.fitted();
+    RowMatrix own = RowMatrix::Zero(columns.nuisance(), fitted);
+    for (int i = 0; i < columns.nuisance(); ++i) {
       own(i, i) = faint * std::max(1.0, of_block.rows.col(i).norm());
     }
-    stack.add(own);
-    return stack.rows();
+    const Eigen::Index count = of_block.rows.rows();
+    if (count + own.rows() <= columns.all()) {
+      Eigen::MatrixXd kept(count + own.rows(), fitted);
+      kept << of_block.rows.leftCols(fitted), own;
+      return kept;
+    }
+    TriangularFactor factor(columns.fitted());
+    factor.add(of_block.rows.leftCols(fitted));
+    factor.add(own);
+    // As many rows as with the effects' columns, in which those of the effects are zero here.
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(columns.all(), fitted);
+    rows.topRows(fitted) = factor.triangle();
+    return rows;
   }
 
   [[nodiscard]] int stride(const FeatureConstraint& feature) const {

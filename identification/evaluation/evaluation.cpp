@@ -60,6 +60,8 @@ Measured measure(const Tips& tips, const Unknowns& unknowns) {
     const PlaneAxis axis(group.reference, group.values.data());
     const double side = side_of(feature, group.reference);
     measured.height = axis.direction.dot(measured.point_in_base - axis.origin) - side * tips.radii.mean();
+  } else if (feature.has_centre() && feature.location == Location::Unknown && unknowns.shared.size() == 0) {
+    measured.point_in_base = certified_point(feature, unknowns);  // estimated from these readings alone
   } else if (feature.has_centre()) {
     // Readings that do not determine a centre leave it where the artefact has it.
     measured.point_in_base = point_at_distances(tips.centres, distances_from_centre(tips, unknowns.shared))

@@ -50,9 +50,10 @@ ParameterMotion in_real_units(const ParameterMotion& motion, const Eigen::Vector
 // reach away move the tip.
 Eigen::VectorXd usual_errors(const Arm& arm, const std::vector<Parameter>& parameters, const Eigen::VectorXd& scale) {
   Eigen::VectorXd errors = Eigen::VectorXd::Ones(scale.size());
+  const double length = reach(arm);
   for (Eigen::Index i = 0; i < errors.size(); ++i) {
     if (parameters[i].is_angle()) {
-      errors[i] = 1.0 / (scale[i] * 0.1 * reach(arm));
+      errors[i] = 1.0 / (scale[i] * 0.1 * length);
     }
   }
   return errors;

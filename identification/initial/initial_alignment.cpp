@@ -67,6 +67,7 @@ struct State {
 bool fit(State& state, double sigma, Loss loss) {
   SolveOptions options{loss, iterations, near_enough, state.prior};
   options.folding = Folding::NormalEquations;
+  options.linearise_solution = false;
   Solution solution =
       solve(state.system, coarse_weights(*state.system.constraints, sigma), state.x, state.unknowns, options);
   if (solution.termination == Termination::Failed || !solution.x.allFinite()) {

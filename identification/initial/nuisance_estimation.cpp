@@ -58,7 +58,9 @@ void refine_radii(System system, const Arm& arm, Unknowns& unknowns) {
     weights.shared[s] = constraints.shared[s].u > 0.0 ? fixed_firmly : 0.0;
   }
   if (uncertified) {
-    Solution solution = solve(system, weights, Eigen::VectorXd(), unknowns);
+    SolveOptions options;
+    options.linearise_solution = false;
+    Solution solution = solve(system, weights, Eigen::VectorXd(), unknowns, options);
     if (solution.termination == Termination::Converged) {
       unknowns = std::move(solution.unknowns);
     }

@@ -141,6 +141,8 @@ Expected<ArmFit> fit_arm(const Recording& recording, const Constraints& constrai
   for (bool standing = false; !standing && fit.rounds < max_rounds;) {
     const bool noise_is_known = noise.is_given() || fit.rounds > 0;
     SolveOptions round{first_loss, options.max_iterations, noise_is_known ? options.still : good_for_the_noise};
+    const bool another_follows = fit.rounds == 0 && !noise.reading && options.loss == Loss::None;
+    round.linearise_solution = !another_follows;
     put_prior(prior, system, round);
     Solution solution = solve(system, fit.weights, x, fit.unknowns, patient_options(constraints, round));
     solution = with_corrected_turns(std::move(solution), system, recording, fit.weights, x, round);

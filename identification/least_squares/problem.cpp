@@ -37,14 +37,58 @@ class KinematicsAt {
   std::vector<ForwardKinematics> kinematics_by_probe_;
 };
 
+/// The solver's numbers in one piece of memory, as StateLayout has them.
+/// Ceres orders parameter blocks of one elimination group by address; one piece makes that the order of the
+/// groups, whatever the heap looks like, and so the sums and their bits the same on every run.
+class Numbers {
+ public:
+  Numbers(const StateLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
+      : layout_(layout), all_(packed(layout, unknowns, x)) {}
+  double* group(int index) { return all_.data() + layout_.groups[index]; }
+  double* shared() { return all_.data() + layout_.common; }
+  double* x() { return all_.data() + layout_.arm; }
+  [[nodiscard]] const Eigen::VectorXd& all() const { return all_; }
+
+  void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
+    unpack(layout_, all_, unknowns);
+    x_out = Eigen::VectorXd::Map(x(), x_out.size());
+  }
+
+ private:
+  const StateLayout& layout_;
+  Eigen::VectorXd all_;
+};
+
+/// Tells, before Jacobians are computed, whether the step that led there is so short that the solve ends with it: then
+/// none of them is looked at.
+class LastStep final : public ceres::EvaluationCallback {
+ public:
+  LastStep(const Numbers& numbers, double still) : numbers_(numbers), still_(still) {}
+  void PrepareForEvaluation(bool jacobians, bool /*new_point*/) override {
+    if (!jacobians) {
+      return;
+    }
+    is_last_ = last_.size() > 0 && (numbers_.all() - last_).norm() < still_;
+    last_ = numbers_.all();
+  }
+  [[nodiscard]] bool is_last() const { return is_last_; }
+
+ private:
+  const Numbers& numbers_;
+  double still_;
+  Eigen::VectorXd last_;
+  bool is_last_ = false;
+};
+
 /// One block of the linearisation as a Ceres cost. Parameter blocks: the arm's x, where there are any the group's
 /// unknowns and the artefact parameters. Residuals and Jacobian are the last column of BlockRows and the others: cost,
 /// gradient and normal matrix are those of all the readings behind them. Where only the cost is wanted, its root stands
-/// in the first residual.
+/// in the first residual; so it does where the Jacobian would be looked at by nobody, and this is zero.
 class BlockCost final : public ceres::CostFunction {
  public:
   BlockCost(const System& system, const Weights& weights, const SolveOptions& options, Block block,
-            GroupReference reference, const double* shared, KinematicsAt& kinematics_by_probe, BlockRows& rows)
+            GroupReference reference, const double* shared, KinematicsAt& kinematics_by_probe,
+            const LastStep* last_step, BlockRows& rows)
       : system_(system),
         weights_(weights),
         loss_(options.loss),
@@ -53,6 +97,7 @@ class BlockCost final : public ceres::CostFunction {
         reference_(std::move(reference)),
         shared_(shared),
         kinematics_by_probe_(kinematics_by_probe),
+        last_step_(last_step),
         rows_(rows) {
     set_num_residuals(max_rows(system, loss_, block_));
     for (const int size : {system.arm_size(), block_.unknowns, block_.parameters.size}) {
@@ -71,13 +116,20 @@ class BlockCost final : public ceres::CostFunction {
     const BlockPoint point{reference_, values, shared};
     Eigen::Map<Eigen::VectorXd> out(residuals, num_residuals());
     out.setZero();
-    if (jacobians == nullptr) {
+    const bool is_last = last_step_ != nullptr && last_step_->is_last();
+    if (jacobians == nullptr || is_last) {
       out[0] = std::sqrt(block_cost(system_, weights_, loss_, block_, kinematics_by_probe_(x), point));
+    }
+    if (jacobians == nullptr) {
       return true;
     }
-    rows_.rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point, folding_);
-    const Eigen::MatrixXd& rows = rows_.rows;
-    out.head(rows.rows()) = rows.rightCols<1>();
+    Eigen::MatrixXd& rows = rows_.rows;
+    if (is_last) {
+      rows.resize(0, rows.cols());
+    } else {
+      rows = block_rows(system_, weights_, loss_, block_, kinematics_by_probe_(x), point, folding_);
+      out.head(rows.rows()) = rows.rightCols<1>();
+    }
     next = 0;
     const auto put = [&](int first, int size) {
       if (size > 0 && jacobians[next] != nullptr) {
@@ -102,7 +154,8 @@ class BlockCost final : public ceres::CostFunction {
   GroupReference reference_;
   const double* shared_;
   KinematicsAt& kinematics_by_probe_;
-  BlockRows& rows_;  // the last evaluated: at the end, the solution's
+  const LastStep* last_step_;  // null: each Jacobian is asked for
+  BlockRows& rows_;            // the last evaluated: at the end, the solution's
 };
 
 // Trust regions above this leave the Gauss-Newton step as it is.
@@ -145,17 +198,19 @@ class PriorCost final : public ceres::CostFunction {
 /// the parameters' norm, or to a cost that has come down to its rounding.
 class StopWhenStill final : public ceres::IterationCallback {
  public:
-  explicit StopWhenStill(double still) : still_(still) {}
+  StopWhenStill(double still, const LastStep* last_step) : still_(still), last_step_(last_step) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
     // A step that Ceres could not compute has the norm 0 too, and one that was cut short by a small trust region moves
     // nothing either: neither is a sign of convergence.
     const bool whole = summary.step_is_successful || summary.trust_region_radius > undamped;
     const bool is_still = summary.iteration > 0 && summary.step_is_valid && whole && summary.step_norm < still_;
-    return is_still ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    const bool is_last = last_step_ != nullptr && last_step_->is_last();  // the same but for the norm's last bit
+    return is_still || is_last ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
  private:
   double still_;
+  const LastStep* last_step_;
 };
 
 ceres::Solver::Options solver_options(const SolveOptions& options) {
@@ -178,27 +233,6 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   }
   return summary.IsSolutionUsable() ? Termination::NoConvergence : Termination::Failed;
 }
-
-/// The solver's numbers in one piece of memory, as StateLayout has them.
-/// Ceres orders parameter blocks of one elimination group by address; one piece makes that the order of the
-/// groups, whatever the heap looks like, and so the sums and their bits the same on every run.
-class Numbers {
- public:
-  Numbers(const StateLayout& layout, const Eigen::VectorXd& x, const Unknowns& unknowns)
-      : layout_(layout), all_(packed(layout, unknowns, x)) {}
-  double* group(int index) { return all_.data() + layout_.groups[index]; }
-  double* shared() { return all_.data() + layout_.common; }
-  double* x() { return all_.data() + layout_.arm; }
-
-  void copy_to(Eigen::VectorXd& x_out, Unknowns& unknowns) {
-    unpack(layout_, all_, unknowns);
-    x_out = Eigen::VectorXd::Map(x(), x_out.size());
-  }
-
- private:
-  const StateLayout& layout_;
-  Eigen::VectorXd all_;
-};
 
 // The leaves of all components are eliminated first; what remains is solved for densely where it is small.
 void choose_linear_solver(const std::vector<BlockRows>& blocks, int arm_size, Numbers& numbers,
@@ -246,9 +280,13 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     linearisation.blocks.push_back({block.group, block.unknowns, block.parameters, {}});
   }
   KinematicsAt kinematics_by_probe(system);
-  ceres::Problem problem;
+  LastStep last_step(numbers, options.still);
+  const LastStep* asked = options.linearise_solution ? nullptr : &last_step;
+  ceres::Problem::Options problem_options;
+  problem_options.evaluation_callback = options.linearise_solution ? nullptr : &last_step;
+  ceres::Problem problem(problem_options);
   ceres::Solver::Options ceres_options = solver_options(options);
-  StopWhenStill stop_when_still(options.still);
+  StopWhenStill stop_when_still(options.still, asked);
   ceres_options.callbacks.push_back(&stop_when_still);
   choose_linear_solver(linearisation.blocks, system.arm_size(), numbers, ceres_options);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
@@ -270,7 +308,7 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
     const GroupReference reference =
         block.group < 0 ? GroupReference{} : solution.unknowns.groups[block.group].reference;
     auto cost = std::make_unique<BlockCost>(system, weights, options, block, reference, numbers.shared(),
-                                            kinematics_by_probe, linearisation.blocks[b]);
+                                            kinematics_by_probe, asked, linearisation.blocks[b]);
     problem.AddResidualBlock(cost.release(), nullptr, parameter_blocks);
   }
   if (options.prior_weights.size() > 0) {

@@ -17,6 +17,7 @@ struct SolveOptions {
   Eigen::VectorXd prior_weights = {};
   Eigen::VectorXd prior_at = {};  ///< the x that the prior is about; empty: 0
   Folding folding = Folding::Reflections;
+  bool linearise_solution = true;  ///< whether Solution::linearisation is asked for; it costs as much as a step does
 };
 
 /// How a solve ended. Only Converged leaves numbers that may be used.
@@ -29,7 +30,7 @@ enum class Termination {
 struct Solution {
   Eigen::VectorXd x;  ///< System::arm_at(x) is the arm
   Unknowns unknowns;
-  Linearisation linearisation;  ///< at x and unknowns
+  Linearisation linearisation;  ///< at x and unknowns, if asked for
   Termination termination = Termination::Failed;
   int iterations = 0;
   double initial_cost = 0.0;  ///< half the sum of squared weighted residuals (of ρ with a loss)

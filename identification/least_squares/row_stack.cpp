@@ -38,7 +38,7 @@ void RowStack::add(const RowsRef& rows) {
   if (count_ + rows.rows() > kept_.rows()) {
     kept_.conservativeResize(std::min<Eigen::Index>(columns_, std::max(2 * count_, count_ + rows.rows())), columns_);
   }
-  kept_.middleRows(count_, rows.rows()) = rows;
+  kept_.middleRows(count_, rows.rows()) = rows.matrix();
   count_ += rows.rows();
 }
 

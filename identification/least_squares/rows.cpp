@@ -40,14 +40,26 @@ void put_arm_rows(double weight, const double* derivative, const Eigen::VectorXd
   }
 }
 
-/// The tips of a feature's readings and their derivatives, in the order of the readings, eight at a time.
+// Memory of this thread for derivatives; whoever asks for it next gets the same. What stands in it means nothing.
+double* memory_for_derivatives(int columns) {
+  thread_local std::vector<double> memory;
+  const auto size = static_cast<std::size_t>(column_stride * std::max(1, columns));
+  if (memory.size() < size) {
+    memory.resize(size);
+  }
+  return memory.data();
+}
+
+/// The tips of a feature's readings and their derivatives, in the order of the readings, eight at a time. One at a time
+/// on a thread.
 class TipsOf {
  public:
   TipsOf(const System& system, const FeatureConstraint& feature,
          const std::vector<ForwardKinematics>& kinematics_by_probe, bool derivatives)
-      : system_(system), feature_(feature), kinematics_by_probe_(kinematics_by_probe) {
-    derivatives_.resize(derivatives ? static_cast<std::size_t>(column_stride * std::max(1, system.arm_size())) : 0);
-  }
+      : system_(system),
+        feature_(feature),
+        kinematics_by_probe_(kinematics_by_probe),
+        derivatives_(derivatives ? memory_for_derivatives(system.arm_size()) : nullptr) {}
 
   /// Moves to reading `k` of those before `end`.
   void take(int k, int end) {
@@ -61,7 +73,7 @@ class TipsOf {
   [[nodiscard]] Eigen::Vector3d tip() const {
     return {tips_[lane_], tips_[lane_ + coordinate_stride], tips_[lane_ + 2 * coordinate_stride]};
   }
-  [[nodiscard]] const double* derivative() const { return derivatives_.data() + lane_; }
+  [[nodiscard]] const double* derivative() const { return derivatives_ + lane_; }
 
  private:
   // As many as the same probe took.
@@ -75,15 +87,14 @@ class TipsOf {
       readings[static_cast<std::size_t>(count_)] = reading(k + count_);
       ++count_;
     }
-    kinematics_by_probe_[probe].tips_in_base({readings.data(), static_cast<std::size_t>(count_)}, tips_,
-                                             derivatives_.empty() ? nullptr : derivatives_.data());
+    kinematics_by_probe_[probe].tips_in_base({readings.data(), static_cast<std::size_t>(count_)}, tips_, derivatives_);
   }
   [[nodiscard]] JointReading reading(int k) const { return system_.sines_of(feature_.readings[k]); }
 
   const System& system_;
   const FeatureConstraint& feature_;
   const std::vector<ForwardKinematics>& kinematics_by_probe_;
-  std::vector<double> derivatives_;
+  double* derivatives_;
   alignas(64) double tips_[column_stride];
   int first_ = 0, count_ = 0, lane_ = 0;
 };
@@ -155,40 +166,55 @@ void weighted_rows(const System& system, const FeatureConstraint& feature, const
       tip += system.shifts[reading];
     }
     const Residual r = residual.at(k, tip, kinematics.tip_radius(), derivatives);
-    const Eigen::Matrix3d whitening =
-        weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
+    // One weight for all directions scales what a matrix turns.
+    const Eigen::Matrix3d* whitening = weights.matrix.empty() ? nullptr : &weights.matrix[k];
+    const double weight = whitening == nullptr ? weights.scalar[k] : (*whitening)(0, 0);
     const std::ptrdiff_t at = i * rows * out.stride;
-    const Eigen::Vector3d value = whitening.leftCols(rows) * r.value.head(rows);
-    for (int row = 0; row < rows; ++row) {
-      out.residuals[at + row * out.stride] = value[row];
-    }
+    const auto put = [&](double* to, const auto& values) {
+      for (int row = 0; row < rows; ++row) {
+        to[row * out.stride] = values[row];
+      }
+    };
+    const auto put_whitened = [&](double* to, const auto& values) {
+      if (whitening == nullptr) {
+        put(to, weight * values);
+      } else {
+        put(to, Eigen::Vector3d(whitening->leftCols(rows) * values.head(rows)));
+      }
+    };
+    put_whitened(out.residuals + at, r.value);
     if (out.by_arm != nullptr) {
       if (plain) {
-        put_arm_rows(weights.scalar[k], tips.derivative(), system.scale, out.by_arm + at, out.stride);
+        put_arm_rows(weight, tips.derivative(), system.scale, out.by_arm + at, out.stride);
       } else {
         Eigen::Matrix3d tip_to_rows = r.by_tip;
-        tip_to_rows.topRows(rows) = whitening.topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
+        if (whitening == nullptr) {
+          tip_to_rows.topRows(rows) *= weight;
+        } else {
+          tip_to_rows.topRows(rows) = whitening->topLeftCorner(rows, rows) * r.by_tip.topRows(rows);
+        }
         put_arm_rows(tip_to_rows, rows, tips.derivative(), system.scale, out.by_arm + at, out.stride);
       }
       if (const int column = kinematics.radius_column(); column >= 0 && rows == 1) {
-        out.by_arm[at + column] = whitening(0, 0) * r.by_tip_radius * system.scale[column];
+        out.by_arm[at + column] = weight * r.by_tip_radius * system.scale[column];
       }
     }
     if (out.by_group != nullptr) {
       for (int column = 0; column < residual.columns(); ++column) {
-        const Eigen::Vector3d slope = whitening.leftCols(rows) * r.by_unknowns.col(column).head(rows);
-        for (int row = 0; row < rows; ++row) {
-          out.by_group[at + row * out.stride + residual.column(column)] = slope[row];
-        }
+        put_whitened(out.by_group + at + residual.column(column), r.by_unknowns.col(column));
       }
     }
     if (out.by_shared != nullptr && first_error) {
       Eigen::Map<RowMatrix, 0, Eigen::OuterStride<>> lines(out.by_shared + at + (*first_error - out.first_shared), rows,
                                                            3, Eigen::OuterStride<>(out.stride));
-      lines = whitening.topLeftCorner(rows, rows) * r.by_errors.topRows(rows);
+      if (whitening == nullptr) {
+        lines = weight * r.by_errors.topRows(rows);
+      } else {
+        lines = whitening->topLeftCorner(rows, rows) * r.by_errors.topRows(rows);
+      }
     }
     if (out.by_shared != nullptr && shared_radius) {
-      out.by_shared[at + *shared_radius - out.first_shared] = whitening(0, 0) * r.by_ball_radius;
+      out.by_shared[at + *shared_radius - out.first_shared] = weight * r.by_ball_radius;
     }
   }
 }

@@ -45,7 +45,10 @@ Expected<Arm> arm_with_fitted_tips(const Recording& recording, const Constraints
   if (sigma.minCoeff() <= shown_well * sigma.maxCoeff()) {
     return nominal;
   }
-  const Solution solution = solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns));
+  SolveOptions options;
+  options.linearise_solution = false;
+  const Solution solution =
+      solve(system, weights, Eigen::VectorXd::Zero(system.arm_size()), std::move(*unknowns), options);
   return solution.termination == Termination::Converged ? system.arm_at(solution.x.data()) : nominal;
 }
 

@@ -44,15 +44,30 @@ template <int width>
   }
 }
 
+[[gnu::always_inline]] inline bool is_zero(const double* four) {
+  return four[0] == 0.0 && four[1] == 0.0 && four[2] == 0.0 && four[3] == 0.0;
+}
+
+// Rows before the first and after the last in which four columns are not all zero (other features' readings) add
+// nothing to these columns' rows of the result.
 template <int width>
 [[gnu::always_inline]] inline void add_all(const double* a, int rows, int columns, double* gram) {
   for (int i = 0; i < columns; i += 4) {
+    const double* first = a;
+    int count = rows;
+    while (count > 0 && is_zero(first + i)) {
+      first += columns;
+      --count;
+    }
+    while (count > 0 && is_zero(first + static_cast<std::ptrdiff_t>(count - 1) * columns + i)) {
+      --count;
+    }
     int j = i / 8 * 8;
     for (; j + 8 * width <= columns; j += 8 * width) {
-      add_tile<width>(a, rows, columns, i, j, gram);
+      add_tile<width>(first, count, columns, i, j, gram);
     }
     for (; j < columns; j += 8) {
-      add_tile<1>(a, rows, columns, i, j, gram);
+      add_tile<1>(first, count, columns, i, j, gram);
     }
   }
 }

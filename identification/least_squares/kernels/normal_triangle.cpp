@@ -16,16 +16,21 @@ constexpr double still_dependent = 1e-14;    // of a column's own square
 NormalTriangle::NormalTriangle(int columns)
     : columns_(columns),
       padded_((columns + 7) / 8 * 8),
-      waiting_(static_cast<std::size_t>(rows_of_a_fold * padded_ / 8)),
+      waiting_(std::make_unique_for_overwrite<Line[]>(static_cast<std::size_t>(rows_of_a_fold * padded_ / 8))),
       gram_(static_cast<std::size_t>(padded_ * padded_ / 8)) {}
 
 void NormalTriangle::add(const RowsRef& rows) {
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-    double* to = waiting_.front().numbers + filled_ * padded_;
-    const double* from = rows.data() + r * rows.innerStride();
-    for (Eigen::Index c = 0; c < columns_; ++c) {
-      to[c] = from[c * rows.outerStride()];
+    double* to = waiting_[0].numbers + filled_ * padded_;
+    const double* from = rows.row(r);
+    if (rows.column_stride() == 1) {
+      std::copy_n(from, columns_, to);
+    } else {
+      for (Eigen::Index c = 0; c < columns_; ++c) {
+        to[c] = from[c * rows.column_stride()];
+      }
     }
+    std::fill(to + columns_, to + padded_, 0.0);
     if (++filled_ == rows_of_a_fold) {
       fold();
     }
@@ -33,7 +38,7 @@ void NormalTriangle::add(const RowsRef& rows) {
 }
 
 void NormalTriangle::fold() {
-  gram_variants().back().add(waiting_.front().numbers, static_cast<int>(filled_), static_cast<int>(padded_),
+  gram_variants().back().add(waiting_[0].numbers, static_cast<int>(filled_), static_cast<int>(padded_),
                              gram_.front().numbers);
   filled_ = 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,8 +28,8 @@ class NormalTriangle {
   void fold();
 
   Eigen::Index columns_;
-  Eigen::Index padded_;        // to a multiple of eight, with zeros
-  std::vector<Line> waiting_;  // rows
+  Eigen::Index padded_;              // to a multiple of eight, with zeros
+  std::unique_ptr<Line[]> waiting_;  // rows
   std::vector<Line> gram_;
   Eigen::Index filled_ = 0;
 };

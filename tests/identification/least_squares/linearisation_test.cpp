@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "identification/initial/nuisance_estimation.h"
+#include "identification/least_squares/row_stack.h"
 #include "identification/least_squares/rows.h"
 #include "identification/least_squares/triangular_factor.h"
 #include "identification/problem/weights.h"
@@ -34,6 +35,52 @@ TEST(TriangularFactor, HasTheSingularValuesOfAllRows) {
     const Eigen::VectorXd expected = all.jacobiSvd().singularValues();
     const Eigen::VectorXd found = triangle.jacobiSvd().singularValues().head(expected.size());
     EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-14 * expected[0]) << rows;
+  }
+}
+
+// Rows of several features: each has columns of its own, which are zero in the others' rows.
+Eigen::MatrixXd rows_of_features(Eigen::Index features, Eigen::Index of_each, RandomStream& random) {
+  Eigen::MatrixXd rows = random_matrix(features * of_each, 2 * features + 3, random);
+  for (Eigen::Index f = 0; f < features; ++f) {
+    for (Eigen::Index other = 0; other < features; ++other) {
+      if (other != f) rows.block(f * of_each, 2 * other, of_each, 2).setZero();
+    }
+  }
+  return rows;
+}
+
+// Stored row by row or column by column, the rows are the same.
+TEST(TriangularFactor, OfRowsWithManyZeros) {
+  RandomStream random(3, "factor");
+  for (const Eigen::Index of_each : {1, 2, 7, 24, 70}) {
+    const Eigen::MatrixXd all = rows_of_features(4, of_each, random);
+    const RowMatrix by_rows = all;
+    TriangularFactor factor(11);
+    TriangularFactor same(11);
+    factor.add(all);
+    same.add(by_rows);
+    const Eigen::MatrixXd triangle = factor.triangle();
+    EXPECT_EQ(triangle, same.triangle()) << of_each;
+    const Eigen::MatrixXd gram = all.transpose() * all;
+    EXPECT_LT((triangle.transpose() * triangle - gram).cwiseAbs().maxCoeff(), 1e-13 * gram.norm()) << of_each;
+    TriangularFactor again(11);
+    again.add(triangle);
+    const Eigen::MatrixXd folded = again.triangle();
+    EXPECT_LT((folded.cwiseAbs() - triangle.cwiseAbs()).cwiseAbs().maxCoeff(), 1e-13 * triangle.norm()) << of_each;
+  }
+}
+
+TEST(RowStack, TakesRowsHoweverTheyAreStored) {
+  RandomStream random(4, "factor");
+  const Eigen::MatrixXd all = random_matrix(30, 9, random);
+  for (const Folding folding : {Folding::Reflections, Folding::NormalEquations}) {
+    for (const Eigen::Index count : {5, 9, 30}) {
+      RowStack by_columns(9, folding);
+      RowStack by_rows(9, folding);
+      by_columns.add(all.topRows(count));
+      by_rows.add(RowMatrix(all.topRows(count)));
+      EXPECT_EQ(by_columns.rows(), by_rows.rows()) << count;
+    }
   }
 }
 

@@ -1,5 +1,7 @@
 #include "identification/least_squares/problem.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
@@ -59,6 +61,35 @@ TEST(Solve, APriorDecidesWhatReadingsDoNot) {
   EXPECT_NEAR(solution.x[1], 7.0, 1e-6);  // d1 moves the base frame, which the seats do not see
   const Eigen::MatrixXd triangle = arm_triangle(solution.linearisation, 2);
   EXPECT_NEAR((triangle.transpose() * triangle).inverse()(1, 1), 1.0 / (0.5 * 0.5), 1e-6);
+}
+
+// Not to linearise at the solution is only less work: the solution has the same bits, after as many steps.
+TEST(Solve, WithoutTheSolutionsLinearisationEndsAtTheSameBits) {
+  for (const probing::Kind kind : {probing::Kind::Seats, probing::Kind::Bar3}) {
+    const auto bound = probing::bound(probing::probe({.kind = kind, .placements = 4, .rough = 0.3}), 0.0);
+    const Arm& arm = bound.recording.arm;
+    const System system = make_system(bound.recording, bound.constraints, arm, named(arm, {"theta2", "a3", "l"}));
+    const auto unknowns = estimate_nuisance_parameters(system, arm, bound.recording);
+    ASSERT_TRUE(unknowns);
+    SolveOptions options;
+    options.folding = Folding::NormalEquations;
+    for (const double still : {1e-2, 1e-6}) {
+      options.still = still;
+      std::array<Solution, 2> found;
+      for (const bool linearise : {false, true}) {
+        options.linearise_solution = linearise;
+        found[linearise] = solve(system, unit_weights(bound.constraints), Eigen::VectorXd::Zero(3), *unknowns, options);
+        ASSERT_EQ(found[linearise].termination, Termination::Converged);
+      }
+      EXPECT_EQ(found[0].x, found[1].x);
+      EXPECT_EQ(found[0].iterations, found[1].iterations);
+      EXPECT_EQ(found[0].message, found[1].message);
+      for (std::size_t g = 0; g < unknowns->groups.size(); ++g) {
+        EXPECT_EQ(found[0].unknowns.groups[g].values, found[1].unknowns.groups[g].values);
+      }
+      EXPECT_GT(found[0].iterations, 1);
+    }
+  }
 }
 
 }  // namespace
