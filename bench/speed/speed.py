@@ -60,6 +60,7 @@ def lines(make, folder):
         yield (f"scan 5 million points, fit sphere{criterion}",
                lambda options=options: ["fit", make.ball_cloud(5000000, 0.01), "--shape", "sphere", "--unit", "mm", "-q",
                                         *options])
+    yield "huge million readings, 1 placement, none left out", lambda: identify(make.bar(1, 250, 1000), alone)
     yield "huge million readings, 1000 placements, none left out", lambda: identify(make.bar(1000, 25, 10), alone)
     yield "huge million readings, 1000 placements", lambda: identify(make.bar(1000, 25, 10))
 

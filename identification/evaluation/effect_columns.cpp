@@ -48,8 +48,8 @@ EffectColumns::EffectColumns(const System& system, const Recording& recording)
   }
 }
 
-void EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
-                       Eigen::Ref<Eigen::VectorXd> rotations) const {
+Eigen::Vector3d EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
+                                  Eigen::Ref<Eigen::VectorXd> rotations) const {
   const int joints = kinematics.joint_count();
   using OfJoints = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_joints>;
   OfJoints by_joint(3, joints);
@@ -88,6 +88,7 @@ void EffectColumns::at(int reading, const ForwardKinematics& kinematics, Eigen::
       tips.col(family.first + i) = by_joint.col(family.joint) * out[i];
     }
   }
+  return tip;
 }
 
 }  // namespace artcal

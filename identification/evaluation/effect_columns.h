@@ -27,9 +27,9 @@ class EffectColumns {
   [[nodiscard]] int size() const { return size_; }
 
   /// Motion of the tip by a unit of each column's coefficient, 3 × size(), mm; and the change of the joint's reading
-  /// behind each column (0 for Expansion).
-  void at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
-          Eigen::Ref<Eigen::VectorXd> rotations) const;
+  /// behind each column (0 for Expansion). Returns where the tip is, in the base frame.
+  Eigen::Vector3d at(int reading, const ForwardKinematics& kinematics, Eigen::Ref<Eigen::Matrix3Xd> tips,
+                     Eigen::Ref<Eigen::VectorXd> rotations) const;
 
  private:
   const System& system_;

@@ -78,9 +78,12 @@ class Projection {
     const auto add_readings = [&](const FeatureReadings& readings) {
       const auto& [f, feature, residual] = readings;
       const int dimension = feature.dimension();
-      for (int k = 0; k < feature.size(); k += stride(feature)) {
-        weighted_rows(system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k, 1,
-                      columns.out(rows.row(count).data()));
+      const int step = stride(feature);
+      for (int k = 0; k < feature.size(); k += step) {
+        if (step > 1 || k == 0) {
+          weighted_rows(system_, feature, fit_.counted.features[f], kinematics_by_probe_, residual, k,
+                        step > 1 ? 1 : feature.size(), columns.out(rows.row(count).data()));
+        }
         rows.block(count, columns.fitted(), dimension, columns.beside) = slopes_of(f, k, residual);
         add_observation(count, dimension, units_++);
         count += dimension;
@@ -155,10 +158,9 @@ class Projection {
     const int dimension = feature.dimension();
     const ForwardKinematics& kinematics = kinematics_by_probe_[system_.probes[reading]];
     Eigen::Map<Eigen::Matrix3Xd> tips(searched_.tips.col(looked_at_).data(), 3, effects_.size());
-    effects_.at(reading, kinematics, tips, searched_.rotations.col(looked_at_));
+    const Eigen::Vector3d tip = effects_.at(reading, kinematics, tips, searched_.rotations.col(looked_at_));
     ++looked_at_;
-    const Residual at =
-        residual.at(k, kinematics.tip_in_base(system_.sines_of(reading)), kinematics.tip_radius(), true);
+    const Residual at = residual.at(k, tip, kinematics.tip_radius(), true);
     const Eigen::Matrix3d whitening =
         weights.matrix.empty() ? Eigen::Matrix3d(weights.scalar[k] * Eigen::Matrix3d::Identity()) : weights.matrix[k];
     const Eigen::Matrix3d to_rows = whitening * at.by_tip;

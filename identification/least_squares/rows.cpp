@@ -1,10 +1,10 @@
 #include "identification/least_squares/rows.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "identification/least_squares/kernels/ball_rows.h"
+#include "identification/problem/posture_batch.h"
 
 namespace artcal {
 namespace {
@@ -76,20 +76,13 @@ class TipsOf {
   [[nodiscard]] const double* derivative() const { return derivatives_ + lane_; }
 
  private:
-  // As many as the same probe took.
   void fill(int k, int end) {
-    const int probe = system_.probes[feature_.readings[k]];
-    std::array<JointReading, postures_at_once> readings{reading(k), reading(k), reading(k), reading(k),
-                                                        reading(k), reading(k), reading(k), reading(k)};
+    const PostureBatch taken = posture_batch(system_, feature_, k, end);
     first_ = k;
-    count_ = 1;
-    while (count_ < postures_at_once && k + count_ < end && system_.probes[feature_.readings[k + count_]] == probe) {
-      readings[static_cast<std::size_t>(count_)] = reading(k + count_);
-      ++count_;
-    }
-    kinematics_by_probe_[probe].tips_in_base({readings.data(), static_cast<std::size_t>(count_)}, tips_, derivatives_);
+    count_ = taken.count;
+    kinematics_by_probe_[system_.probes[feature_.readings[k]]].tips_in_base(
+        {taken.readings.data(), static_cast<std::size_t>(count_)}, tips_, derivatives_);
   }
-  [[nodiscard]] JointReading reading(int k) const { return system_.sines_of(feature_.readings[k]); }
 
   const System& system_;
   const FeatureConstraint& feature_;

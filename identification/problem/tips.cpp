@@ -1,5 +1,7 @@
 #include "identification/problem/tips.h"
 
+#include "identification/problem/posture_batch.h"
+
 namespace artcal {
 namespace {
 
@@ -22,14 +24,18 @@ Tips tips_of(const System& system, const FeatureConstraint& feature,
   Tips tips{&feature, Eigen::Matrix3Xd(3, feature.size()), Eigen::VectorXd(feature.size()), {}};
   const bool has_side = feature.is<OnPlane>() && feature.location == Location::Unknown;
   tips.styluses.resize(3, has_side ? feature.size() : 0);
-  for (int k = 0; k < feature.size(); ++k) {
-    const int reading = feature.readings[k];
-    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[reading]];
-    tips.centres.col(k) = kinematics.tip_in_base(system.sines_of(reading));
-    tips.radii[k] = kinematics.tip_radius();
-    if (has_side) {
-      tips.styluses.col(k) =
-          stylus_at(kinematics, system.sines_of(reading), static_cast<int>(system.start.joints.size()));
+  alignas(64) double at_once[3 * postures_at_once];
+  for (int first = 0; first < feature.size();) {
+    const PostureBatch taken = posture_batch(system, feature, first, feature.size());
+    const ForwardKinematics& kinematics = kinematics_by_probe[system.probes[feature.readings[first]]];
+    kinematics.tips_in_base({taken.readings.data(), static_cast<std::size_t>(taken.count)}, at_once, nullptr);
+    for (int lane = 0; lane < taken.count; ++lane, ++first) {
+      tips.centres.col(first) << at_once[lane], at_once[lane + postures_at_once], at_once[lane + 2 * postures_at_once];
+      tips.radii[first] = kinematics.tip_radius();
+      if (has_side) {
+        tips.styluses.col(first) = stylus_at(kinematics, taken.readings[static_cast<std::size_t>(lane)],
+                                             static_cast<int>(system.start.joints.size()));
+      }
     }
   }
   return tips;

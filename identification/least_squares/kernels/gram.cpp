@@ -1,5 +1,8 @@
 #include "identification/least_squares/kernels/gram.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/kernels/kernel_variants.h"
 
 namespace artcal {
@@ -72,6 +75,34 @@ template <int width>
   }
 }
 
+// Eight columns at once; those before a row's own mean nothing.
+[[gnu::always_inline]] inline void factor_rows(double* gram, int size, int columns) {
+  constexpr double still_dependent = 1e-14;  // of a column's own square
+  const auto row_of = [&](int i) { return gram + static_cast<std::ptrdiff_t>(i) * columns; };
+  std::vector<double> squares(static_cast<std::size_t>(size));
+  for (int k = 0; k < size; ++k) {
+    squares[static_cast<std::size_t>(k)] = row_of(k)[k];
+  }
+  for (int k = 0; k < size; ++k) {
+    double* row = row_of(k);
+    if (!(row[k] > still_dependent * squares[static_cast<std::size_t>(k)])) {
+      std::fill_n(row, columns, 0.0);
+      continue;
+    }
+    const double root = std::sqrt(row[k]);
+    for (int j = k / 8 * 8; j < columns; j += 8) {
+      *reinterpret_cast<Sums*>(row + j) /= root;
+    }
+    for (int i = k + 1; i < size; ++i) {
+      double* other = row_of(i);
+      const double by = row[i];
+      for (int j = i / 8 * 8; j < columns; j += 8) {
+        *reinterpret_cast<Sums*>(other + j) -= by * *reinterpret_cast<const Sums*>(row + j);
+      }
+    }
+  }
+}
+
 void add_by_any(const double* a, int rows, int columns, double* gram) { add_all<1>(a, rows, columns, gram); }
 
 ARTCAL_FOR_AVX2 void add_by_avx2(const double* a, int rows, int columns, double* gram) {
@@ -82,10 +113,22 @@ ARTCAL_FOR_AVX512 void add_by_avx512(const double* a, int rows, int columns, dou
   add_all<3>(a, rows, columns, gram);
 }
 
+void factor_by_any(double* gram, int size, int columns) { factor_rows(gram, size, columns); }
+
+ARTCAL_FOR_AVX2 void factor_by_avx2(double* gram, int size, int columns) { factor_rows(gram, size, columns); }
+
+ARTCAL_FOR_AVX512 void factor_by_avx512(double* gram, int size, int columns) { factor_rows(gram, size, columns); }
+
 }  // namespace
 
 const std::vector<GramVariant>& gram_variants() {
   static const auto variants = variants_of_this_machine<GramVariant>(add_by_any, add_by_avx2, add_by_avx512);
+  return variants;
+}
+
+const std::vector<GramFactorVariant>& gram_factor_variants() {
+  static const auto variants =
+      variants_of_this_machine<GramFactorVariant>(factor_by_any, factor_by_avx2, factor_by_avx512);
   return variants;
 }
 

@@ -11,11 +11,21 @@ namespace artcal {
 /// variant gives the same bits.
 using Gram = void(const double* a, int rows, int columns, double* gram);
 
+/// Makes of the upper triangle of such a `gram` its Cholesky factor R, of the first `size` rows and columns (Golub, Van
+/// Loan 2013, Algorithm 4.2.2 by outer products). A row of which is left less than a 1e-14th of its diagonal element
+/// becomes zero. Each entry is divided and reduced in the order of the rows, so that every variant gives the same bits.
+using GramFactor = void(double* gram, int size, int columns);
+
 /// The same for instruction sets that this machine has; the fastest is the last.
 struct GramVariant {
   const char* instructions;
   Gram* add;
 };
 const std::vector<GramVariant>& gram_variants();
+struct GramFactorVariant {
+  const char* instructions;
+  GramFactor* factor;
+};
+const std::vector<GramFactorVariant>& gram_factor_variants();
 
 }  // namespace artcal

@@ -1,7 +1,6 @@
 #include "identification/least_squares/kernels/normal_triangle.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "identification/least_squares/kernels/gram.h"
 
@@ -9,7 +8,6 @@ namespace artcal {
 namespace {
 
 constexpr Eigen::Index rows_of_a_fold = 96;  // as TriangularFactor: few enough for the first cache
-constexpr double still_dependent = 1e-14;    // of a column's own square
 
 }  // namespace
 
@@ -43,24 +41,15 @@ void NormalTriangle::fold() {
   filled_ = 0;
 }
 
-// Row by row (Golub, Van Loan 2013, Algorithm 4.2.2 by outer products).
 Eigen::MatrixXd NormalTriangle::triangle() {
   fold();
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rest =
-      Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(gram_.front().numbers,
-                                                                                               padded_, padded_)
-          .topLeftCorner(columns_, columns_);
-  const Eigen::VectorXd squares = rest.diagonal();
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> triangle =
-      decltype(rest)::Zero(columns_, columns_);
-  for (Eigen::Index k = 0; k < columns_; ++k) {
-    if (!(rest(k, k) > still_dependent * squares[k])) {
-      continue;
-    }
-    const Eigen::Index size = columns_ - k;
-    triangle.row(k).tail(size) = rest.row(k).tail(size) / std::sqrt(rest(k, k));
-    for (Eigen::Index i = k + 1; i < columns_; ++i) {
-      rest.row(i).tail(columns_ - i) -= triangle(k, i) * triangle.row(k).tail(columns_ - i);
+  std::vector<Line> factor = gram_;
+  double* numbers = factor.front().numbers;
+  gram_factor_variants().back().factor(numbers, static_cast<int>(columns_), static_cast<int>(padded_));
+  Eigen::MatrixXd triangle(columns_, columns_);
+  for (Eigen::Index c = 0; c < columns_; ++c) {
+    for (Eigen::Index r = 0; r < columns_; ++r) {
+      triangle(r, c) = r <= c ? numbers[r * padded_ + c] : 0.0;
     }
   }
   return triangle;

@@ -51,5 +51,45 @@ TEST(Gram, GivesTheSameBytesWithEveryInstructionSet) {
   }
 }
 
+// As the header states it, number by number.
+std::vector<double> factor_of(std::vector<double> gram, int size, int columns) {
+  const auto at = [&](int i, int j) -> double& { return gram[static_cast<std::size_t>(i * columns + j)]; };
+  std::vector<double> squares;
+  for (int k = 0; k < size; ++k) squares.push_back(at(k, k));
+  for (int k = 0; k < size; ++k) {
+    const bool depends = !(at(k, k) > 1e-14 * squares[static_cast<std::size_t>(k)]);
+    const double root = std::sqrt(at(k, k));
+    for (int j = k; j < size; ++j) at(k, j) = depends ? 0.0 : at(k, j) / root;
+    for (int i = k + 1; i < size; ++i) {
+      for (int j = i; j < size; ++j) at(i, j) = at(i, j) - at(k, i) * at(k, j);
+    }
+  }
+  return gram;
+}
+
+TEST(Gram, IsFactoredToTheSameBytesWithEveryInstructionSet) {
+  for (const int size : {1, 7, 8, 19, 40}) {
+    const int columns = (size + 7) / 8 * 8;
+    auto a = numbers_of(96 * columns, "rows");
+    double* numbers = a.front().numbers;
+    for (int r = 0; r < 96 && size > 7; ++r) numbers[r * columns + 5] = 0.0;
+    auto gram = numbers_of(columns * columns, "gram");
+    for (Line& line : gram) line = {};
+    gram_variants().front().add(numbers, 96, columns, gram.front().numbers);
+    const double* first = gram.front().numbers;
+    const auto expected = factor_of({first, first + columns * columns}, size, columns);
+    for (const GramFactorVariant& variant : gram_factor_variants()) {
+      auto factor = gram;
+      variant.factor(factor.front().numbers, size, columns);
+      for (int i = 0; i < size; ++i) {
+        for (int j = i; j < size; ++j) {
+          ASSERT_EQ(factor.front().numbers[i * columns + j], expected[static_cast<std::size_t>(i * columns + j)])
+              << variant.instructions << ", " << size << " at " << i << ", " << j;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace artcal
