@@ -7,7 +7,7 @@ namespace {
 
 // Those of the recording that this thread asked for last are kept: an identification makes a dozen systems of it.
 std::vector<double> sines_of(const Eigen::MatrixXd& joints) {
-  constexpr Eigen::Index max_kept = 1 << 16;  // more are not worth their memory
+  constexpr Eigen::Index max_kept = 1 << 20;  // more are not worth their memory
   const auto compute = [&] {
     std::vector<double> sines(2 * static_cast<std::size_t>(joints.size()));
     joint_sines({joints.data(), static_cast<std::size_t>(joints.size())}, sines);
