@@ -65,6 +65,15 @@ def lines(make, folder):
     yield "huge million readings, 1000 placements", lambda: identify(make.bar(1000, 25, 10))
 
 
+def in_a_child(work):
+    """A program's most memory counts from that of the process that starts it, which must therefore have made no cloud."""
+    child = os.fork()
+    if child == 0:
+        work()
+        os._exit(0)
+    os.waitpid(child, 0)
+
+
 def row(name, costs):
     cells = [name]
     for cost in costs:
@@ -91,6 +100,7 @@ def main():
     print("| " + " | ".join(["", *titles]) + " |\n|---|" + "---|" * len(titles))
     for name, arguments in lines(make, folder):
         if any(name.startswith(asked) for asked in options.line) or (not options.line and not name.startswith("huge")):
+            in_a_child(arguments)
             made = arguments()
             print(row(name, side_by_side(programs, made, options.times, options.limit)), flush=True)
 
