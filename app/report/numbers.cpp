@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -31,22 +30,7 @@ std::string two_digits(double value) { return formatted("{:.2g}", value); }
 
 std::string shown(const std::string& name) { return truncated(100, name); }
 
-double number_in(const Json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
-}
-
-std::vector<double> numbers_in(const Json& json) {
-  std::vector<double> all;
-  all.reserve(json.size());
-  for (const Json& element : json) {
-    all.push_back(number_in(element));
-  }
-  return all;
-}
-
-std::string text_in(const Json& json, const char* key, const char* otherwise) {
-  return json.contains(key) && !json.at(key).is_null() ? json.at(key).get<std::string>() : otherwise;
-}
+std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
 
 DrawnUnit drawn_unit(double largest) { return largest < 0.5 ? DrawnUnit{"µm", 1.0 / units::micrometre} : DrawnUnit{}; }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -19,12 +18,8 @@ std::string two_digits(double value);  ///< an uncertainty: 0.031
 /// A name from a file, cut where it is longer than a line.
 std::string shown(const std::string& name);
 
-/// NaN for null, which is how JSON holds what is not a number.
-double number_in(const nlohmann::ordered_json& json);
-std::vector<double> numbers_in(const nlohmann::ordered_json& json);
-
-/// Text, or `otherwise` for null and for what is absent.
-std::string text_in(const nlohmann::ordered_json& json, const char* key, const char* otherwise = "");
+/// "–" for an empty text.
+std::string or_dash(const std::string& text);
 
 /// The unit in which lengths up to `largest` mm are drawn: micrometres below half a millimetre.
 struct DrawnUnit {

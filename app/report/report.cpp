@@ -1,7 +1,7 @@
 #include "app/report/report.h"
 
 #include <algorithm>
-#include <exception>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -12,96 +12,95 @@
 #include "app/report/sections/provenance.h"
 #include "app/report/sections/uncertainty_section.h"
 #include "app/report/sections/verification_section.h"
+#include "core/overloaded.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string arm_name_of(const ReportedResult& result) { return result.json.at("arm").get<std::string>(); }
-
-std::string heading_of(const ReportedResult& result) {
-  const std::string name = numbers::shown(numbers::text_in(result.json, "recording"));
-  switch (result.kind) {
-    case ResultKind::Identification: return "Identification: " + name;
-    case ResultKind::Verification: return "Verification: " + name;
-    case ResultKind::MonteCarlo: return "Monte Carlo: " + name;
-    case ResultKind::Uncertainty: break;
-  }
-  return "What the identified arm measures like";
+std::string heading_of(const RecordedResult& result) {
+  const std::string name = numbers::shown(result.head.recording);
+  return std::visit(
+      Overloaded{[&](const RecordedIdentification&) { return "Identification: " + name; },
+                 [&](const RecordedVerification&) { return "Verification: " + name; },
+                 [&](const RecordedMonteCarlo&) { return "Monte Carlo: " + name; },
+                 [](const RecordedUncertainty&) -> std::string { return "What the identified arm measures like"; }},
+      result.content);
 }
 
-bool has_verdict(const ReportedResult& result) { return result.kind != ResultKind::Uncertainty; }
+bool has_verdict(const RecordedResult& result) { return !std::holds_alternative<RecordedUncertainty>(result.content); }
 
-void write_verdict(const ReportedResult& result, Sheet& sheet) {
-  if (result.kind == ResultKind::Identification) {
-    write_identification_verdict(result.json, sheet);
-  } else if (result.kind == ResultKind::Verification) {
-    write_verification_verdict(result.json, sheet);
-  } else if (result.kind == ResultKind::MonteCarlo) {
-    write_monte_carlo_verdict(result.json, sheet);
-  }
+void write_verdict(const RecordedResult& result, Sheet& sheet) {
+  std::visit(Overloaded{[&](const RecordedIdentification& found) { write_identification_verdict(found, sheet); },
+                        [&](const RecordedVerification& found) { write_verification_verdict(found, sheet); },
+                        [&](const RecordedMonteCarlo& found) { write_monte_carlo_verdict(found, sheet); },
+                        [](const RecordedUncertainty&) {}},
+             result.content);
 }
 
-void write_result(const ReportedResult& result, Sheet& sheet) {
+void write_result(const RecordedResult& result, Sheet& sheet) {
   sheet.section(heading_of(result));
-  switch (result.kind) {
-    case ResultKind::Identification:
-      write_circumstances(result.json, sheet);
-      write_identification(result.json, sheet);
-      break;
-    case ResultKind::Verification:
-      write_circumstances(result.json, sheet);
-      write_verification(result.json, sheet);
-      break;
-    case ResultKind::MonteCarlo: write_monte_carlo(result.json, sheet); break;
-    case ResultKind::Uncertainty: write_uncertainty(result.json, sheet); break;
-  }
+  std::visit(Overloaded{[&](const RecordedIdentification& found) {
+                          write_circumstances(result.head, found.circumstances, sheet);
+                          write_identification(found, sheet);
+                        },
+                        [&](const RecordedVerification& found) {
+                          write_circumstances(result.head, found.circumstances, sheet);
+                          write_verification(found, sheet);
+                        },
+                        [&](const RecordedMonteCarlo& found) { write_monte_carlo(result.head, found, sheet); },
+                        [&](const RecordedUncertainty& found) { write_uncertainty(found, sheet); }},
+             result.content);
 }
 
 // A verdict alone says too little where there are several.
-std::string told_apart(const ReportedResult& result) {
-  const std::string date = numbers::text_in(result.json, "date");
+std::string told_apart(const RecordedResult& result) {
+  const std::string& date = result.head.date;
   return heading_of(result) + (date.empty() ? "" : ", " + numbers::shown(date));
+}
+
+Expected<std::vector<RecordedResult>> of_one_arm(const std::vector<ReportedResult>& results) {
+  std::vector<RecordedResult> all;
+  for (const ReportedResult& result : results) {
+    auto read = recorded_result(result);
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    all.push_back(std::move(*read));
+    const RecordedResult& first = all.front();
+    if (all.back().head.arm != first.head.arm) {
+      return wrong_usage(fmt::format("a report is of one arm, but {} is of {} and {} is of {}", in_quotes(first.path),
+                                     in_quotes(first.head.arm), in_quotes(result.path),
+                                     in_quotes(all.back().head.arm)));
+    }
+  }
+  return all;
 }
 
 }  // namespace
 
 Expected<std::string> report_html(const std::vector<ReportedResult>& results, Scripts plots) {
-  const ReportedResult* current = nullptr;
-  try {
-    Sheet sheet;
-    const std::string title = fmt::format("Calibration report: {}", numbers::shown(arm_name_of(results.front())));
-    sheet.title(title);
-    const auto judged = std::count_if(results.begin(), results.end(), has_verdict);
-    for (const ReportedResult& result : results) {
-      current = &result;
-      if (arm_name_of(result) != arm_name_of(results.front())) {
-        return wrong_usage(fmt::format("a report is of one arm, but {} is of {} and {} is of {}",
-                                       in_quotes(results.front().path), in_quotes(arm_name_of(results.front())),
-                                       in_quotes(result.path), in_quotes(arm_name_of(result))));
-      }
-      if (judged > 1 && has_verdict(result)) {
-        sheet.part(told_apart(result));
-      }
-      write_verdict(result, sheet);
-    }
-    for (const ReportedResult& result : results) {
-      current = &result;
-      write_result(result, sheet);
-    }
-    current = nullptr;
-    write_drift(results, sheet);
-    write_provenance(results, sheet);
-    const std::string body = html::element("main", sheet.markup());
-    return page_html({title, body, Json{{"figures", sheet.figures()}}, plots, title});
-  } catch (const std::exception&) {
-    return bad_input(
-        "this result lacks what every result of its kind has, or holds something else there; expected it as "
-        "--json wrote it",
-        current == nullptr ? std::string() : current->path);
+  const auto all = of_one_arm(results);
+  if (!all) {
+    return tl::unexpected(all.error());
   }
+  Sheet sheet;
+  const std::string title = "Calibration report: " + numbers::shown(all->front().head.arm);
+  sheet.title(title);
+  const auto judged = std::count_if(all->begin(), all->end(), has_verdict);
+  for (const RecordedResult& result : *all) {
+    if (judged > 1 && has_verdict(result)) {
+      sheet.part(told_apart(result));
+    }
+    write_verdict(result, sheet);
+  }
+  for (const RecordedResult& result : *all) {
+    write_result(result, sheet);
+  }
+  write_drift(*all, sheet);
+  write_provenance(*all, sheet);
+  const std::string body = html::element("main", sheet.markup());
+  return page_html({title, body, nlohmann::ordered_json{{"figures", sheet.figures()}}, plots, title});
 }
 
 }  // namespace artcal

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "app/results/result_reader.h"
-#include "artefacts/verification/decision/specification.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -24,23 +23,6 @@ std::optional<ResultKind> kind_named(const std::string& name) {
     return ResultKind::MonteCarlo;
   }
   return name == "uncertainty" ? std::optional(ResultKind::Uncertainty) : std::nullopt;
-}
-
-// The first name of a quantity that no verification has; empty where all are known. What is no list of values is told
-// when it is written.
-std::string unknown_quantity(const Json& json) {
-  if (!json.contains("values") || !json["values"].is_array()) {
-    return {};
-  }
-  for (const Json& value : json["values"]) {
-    if (value.is_object() && value.contains("quantity") && value["quantity"].is_string()) {
-      const auto name = value["quantity"].get<std::string>();
-      if (!quantity_named(name)) {
-        return name.empty() ? "(none)" : name;
-      }
-    }
-  }
-  return {};
 }
 
 }  // namespace
@@ -62,13 +44,6 @@ Expected<ReportedResult> read_result(const std::string& path, std::vector<InputF
         fmt::format(
             "this is a result of kind {}, expected one of identify, verify or uncertainty, also with --monte-carlo",
             in_quotes(json["kind"].get<std::string>())),
-        path);
-  }
-  if (const std::string unknown = *kind == ResultKind::Verification ? unknown_quantity(json) : ""; !unknown.empty()) {
-    return bad_input(
-        fmt::format("a value of this verification is of the quantity {}, expected {}; was the file made by a "
-                    "later version?",
-                    in_quotes(unknown), quantity_names()),
         path);
   }
   inputs.push_back({path, result->sha256});

@@ -12,13 +12,11 @@
 #include "app/report/numbers.h"
 #include "app/report/thinning.h"
 #include "app/results/result_names.h"
-#include "app/results/verification/recorded_value.h"
 
 namespace artcal {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Point = std::array<double, 3>;
 using namespace numbers;
 
 constexpr int max_vectors = 1200;
@@ -29,9 +27,9 @@ constexpr double rms_drawn = 0.03, longest_drawn = 0.25;
 /// Points as a picture takes them: x, y, z; a gap ends a line.
 class Points {
  public:
-  void add(const Point& point) {
+  void add(const Eigen::Vector3d& point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      columns_[axis].push_back(drawn(point[axis]));
+      columns_[axis].push_back(drawn(point[static_cast<Eigen::Index>(axis)]));
     }
   }
   void gap() {
@@ -45,33 +43,26 @@ class Points {
   std::array<Json, 3> columns_{Json::array(), Json::array(), Json::array()};
 };
 
-Point point_in(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-Json arm_in_scene(const Json& result) {
+Json arm_in_scene(const std::vector<Eigen::Vector3d>& path) {
   Points points;
-  if (const Json& shape = result.at("arm_shape"); !shape.is_null()) {
-    for (const Json& point : shape.at("path_mm")) {
-      points.add(point_in(point));
-    }
+  for (const Eigen::Vector3d& point : path) {
+    points.add(point);
   }
   return points.json();
 }
 
-Json artefacts_of(const Json& features) {
-  std::map<std::pair<std::string, std::string>, std::vector<Point>> placements;
+Json artefacts_of(const std::vector<RecordedFeature>& features) {
+  std::map<std::pair<std::string, std::string>, std::vector<Eigen::Vector3d>> placements;
   Points dots, lines;
   Json names = Json::array();
-  for (const Json& feature : features) {
-    const Point at = point_in(feature.at("at_mm"));
-    dots.add(at);
-    names.push_back(shown(fmt::format("{}: {}", text_in(feature, "placement"), text_in(feature, "feature"))));
-    placements[{text_in(feature, "artefact"), text_in(feature, "placement")}].push_back(at);
+  for (const RecordedFeature& feature : features) {
+    dots.add(feature.at);
+    names.push_back(shown(fmt::format("{}: {}", feature.placement, feature.feature)));
+    placements[{feature.artefact, feature.placement}].push_back(feature.at);
   }
   for (const auto& [name, points] : placements) {
     if (points.size() > 1 && points.size() <= max_in_a_line) {
-      std::for_each(points.begin(), points.end(), [&](const Point& point) { lines.add(point); });
+      std::for_each(points.begin(), points.end(), [&](const Eigen::Vector3d& point) { lines.add(point); });
       lines.gap();
     }
   }
@@ -113,7 +104,8 @@ double magnification_for(const std::vector<double>& lengths, double scene) {
 
 }  // namespace
 
-Figure scene_of(const Json& identification, const ReportedReadings& readings) {
+Figure scene_of(const RecordedIdentification& identification) {
+  const RecordedReadings& readings = *identification.readings;
   std::vector<double> order, length;
   for (std::size_t i = 0; i < readings.feature.size(); ++i) {
     order.push_back(static_cast<double>(i));
@@ -124,38 +116,35 @@ Figure scene_of(const Json& identification, const ReportedReadings& readings) {
   Points vectors;
   const auto kept = thinned(order, length, max_vectors);
   for (const int i : kept) {
-    Point from{}, to{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      to[axis] = readings.tip[axis][i] - readings.offset[axis][i];
-      from[axis] = to[axis] + magnification * readings.offset[axis][i];
-    }
+    const Eigen::Vector3d offset(readings.offset[0][i], readings.offset[1][i], readings.offset[2][i]);
+    const Eigen::Vector3d to = Eigen::Vector3d(readings.tip[0][i], readings.tip[1][i], readings.tip[2][i]) - offset;
+    const Eigen::Vector3d from = to + magnification * offset;
     vectors.add(to);
     vectors.add(from);
     vectors.gap();
   }
-  const Json& placements = identification.at("after").at("placements");
   return {
       "The arm, the placements of the artefacts and the errors of the readings",
       fmt::format("{}, {}. Errors are lines from where the tip should have been towards where it was, {:g} times as "
                   "long as they are; the longest is {} mm. The arm stands in the posture of one reading. Drag to "
                   "turn.{}",
-                  plural(placements.size(), "placement"), plural(readings.feature.size(), "reading"), magnification,
-                  mm(longest), kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
+                  plural(identification.after.placements.size(), "placement"),
+                  plural(readings.feature.size(), "reading"), magnification, mm(longest),
+                  kept.size() == order.size() ? "" : fmt::format(" {} errors are drawn.", kept.size())),
       {{"kind", "scene"},
-       {"arm", arm_in_scene(identification)},
-       {"artefacts", artefacts_of(identification.at("after").at("features"))},
+       {"arm", arm_in_scene(identification.arm_path)},
+       {"artefacts", artefacts_of(identification.features)},
        {"vectors", vectors.json()},
        {"magnification", magnification}},
       true};
 }
 
-Figure scene_of_verification(const Json& verification) {
+Figure scene_of_verification(const RecordedVerification& verification) {
   std::map<std::string, Points> by_verdict;
   std::map<std::string, Json> names;
-  for (const RecordedValue& value : recorded_values(verification)) {
+  for (const RecordedValue& value : verification.values) {
     const std::string verdict = result_name(value.verdict);
-    const Eigen::Vector3d& at = value.place.point_in_base;
-    by_verdict[verdict].add({at.x(), at.y(), at.z()});
+    by_verdict[verdict].add(value.place.point_in_base);
     Json& of = names.try_emplace(verdict, Json::array()).first->second;
     of.push_back(shown(fmt::format("{} {}: {} {} µm", value.quantity, value.placement, value.first,
                                    deviation_micrometres(value.value, value.certified.has_value()))));
@@ -170,10 +159,10 @@ Figure scene_of_verification(const Json& verification) {
           "Squares: the features of the artefacts where they were measured, joined by lines where an artefact has "
           "few. Marks lie on the feature that was judged, of a length in its middle. Dots: conformity proven; crosses: "
           "non-conformity proven; diamonds: neither proven; open circles: not judged.{} Drag to turn.",
-          verification.at("arm_shape").is_null() ? "" : " The arm stands in the posture of one reading."),
+          verification.arm_path.empty() ? "" : " The arm stands in the posture of one reading."),
       {{"kind", "places"},
-       {"arm", arm_in_scene(verification)},
-       {"artefacts", artefacts_of(verification.value("features", Json::array()))},
+       {"arm", arm_in_scene(verification.arm_path)},
+       {"artefacts", artefacts_of(verification.features)},
        {"places", places}},
       true};
 }

@@ -1,17 +1,16 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
-#include "app/report/sections/readings.h"
 #include "app/report/sheet.h"
+#include "app/results/identification/recorded/recorded_identification.h"
+#include "app/results/verification/recorded_verification.h"
 
 namespace artcal {
 
 /// The arm, the artefacts in their placements and the errors of the readings as enlarged vectors, in space.
-/// Throws std::exception where the JSON is not as docs/result-schema.md says.
-Figure scene_of(const nlohmann::ordered_json& identification, const ReportedReadings& readings);
+/// REQUIRES: the identification has its readings.
+Figure scene_of(const RecordedIdentification& identification);
 
-/// The arm and the places where a verification measured. Throws as above.
-Figure scene_of_verification(const nlohmann::ordered_json& verification);
+/// The arm and the places where a verification measured.
+Figure scene_of_verification(const RecordedVerification& verification);
 
 }  // namespace artcal

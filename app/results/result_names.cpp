@@ -51,4 +51,14 @@ Conclusion conclusion_named(std::string_view word) {
   return Conclusion::ConformityNotShown;
 }
 
+std::optional<ParameterState> parameter_state_named(std::string_view word) {
+  for (const ParameterState state :
+       {ParameterState::Identified, ParameterState::Weak, ParameterState::Fixed, ParameterState::Unidentifiable}) {
+    if (word == result_name(state)) {
+      return state;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace artcal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "artefacts/verification/verification.h"
@@ -16,5 +17,8 @@ const char* result_name(Loss loss);
 /// What such a word means; of any other, that nothing was judged or shown.
 Verdict verdict_named(std::string_view word);
 Conclusion conclusion_named(std::string_view word);
+
+/// Nothing for a word that no state has.
+std::optional<ParameterState> parameter_state_named(std::string_view word);
 
 }  // namespace artcal

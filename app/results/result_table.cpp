@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "acquisition/csv/csv_text.h"
+#include "app/results/evaluation/recorded_evaluation.h"
+#include "app/results/table_check.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -55,10 +57,11 @@ const Json& list_at(const Json& result, std::initializer_list<const char*> path)
 }
 
 // The residuals stand column by column: what is a list of as many numbers as there are readings is a column, what is a
-// list of such lists one a component.
+// list of such lists one a component. REQUIRES: check_table() lets them pass.
 Json reading_rows(const Json& result) {
   const Json& residuals = result.at("residuals");
   const std::size_t count = residuals.at("reading").size();
+  const auto features = recorded_features(RecordedObject(result).object("after"));
   Json rows = Json::array();
   for (std::size_t i = 0; i < count; ++i) {
     Json row = Json::object();
@@ -72,15 +75,10 @@ Json reading_rows(const Json& result) {
         }
       }
     }
-    const Json& names = list_at(result, {"after", "features"});
-    if (const auto feature = row.find("feature"); feature != row.end() && feature->is_number_integer()) {
-      const auto index = feature->get<std::size_t>();
-      if (index < names.size()) {
-        row["artefact"] = names[index].at("artefact");
-        row["placement"] = names[index].at("placement");
-        row["feature"] = names[index].at("feature");
-      }
-    }
+    const RecordedFeature& feature = features[row.at("feature").get<std::size_t>()];
+    row["artefact"] = feature.artefact;
+    row["placement"] = feature.placement;
+    row["feature"] = feature.feature;
     rows.push_back(std::move(row));
   }
   return rows;
@@ -169,7 +167,8 @@ Expected<std::string> result_csv(const Json& result, std::string_view part) {
     return bad_input(fmt::format("the result has no {}, but {}{}", in_quotes(part), fmt::join(parts, ", "),
                                  part == "readings" ? "; identify --no-residuals leaves the readings out" : ""));
   }
-  return csv_of_rows(rows_of(result, part.empty() ? std::string_view(parts.front()) : part));
+  const std::string_view asked = part.empty() ? std::string_view(parts.front()) : part;
+  return check_table(result, asked).map([&] { return csv_of_rows(rows_of(result, asked)); });
 }
 
 }  // namespace artcal

@@ -15,8 +15,8 @@ namespace artcal {
 std::vector<std::string> table_parts(const nlohmann::ordered_json& result);
 
 /// A part as CSV (RFC 4180 with line ends of one character), a header first. Numbers have the digits of the JSON; what
-/// is null is empty; units are in the columns' names as they are in the JSON's keys. Refused: a part that the result
-/// does not have.
+/// is null is empty; units are in the columns' names as they are in the JSON's keys. Every field is a column, also one
+/// that this version does not know. Refused: a part that the result does not have, or that is damaged (table_check.h).
 Expected<std::string> result_csv(const nlohmann::ordered_json& result, std::string_view part);
 
 /// Rows of flat or nested objects as CSV. Columns are the keys in the order in which they appear first; those of nested

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "app/results/drift/parameter_comparison.h"
+#include "app/results/identification/recorded/recorded_identification.h"
 
 namespace artcal {
 
-/// The parameters of an identification's result. Throws std::exception where the JSON is not as the schema says.
-CalibratedParameters calibrated_parameters(const nlohmann::ordered_json& result);
+/// The parameters of an identification's result.
+CalibratedParameters calibrated_parameters(const RecordedIdentification& identification);
 
 }  // namespace artcal

@@ -20,12 +20,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace numbers;
 
+const RecordedVerification& verification_in(const RecordedResult& result) {
+  return std::get<RecordedVerification>(result.content);
+}
+
 void write_test_values(const DatedResults& results, const std::string& standard, Sheet& sheet) {
   const ResultTimes times = times_of(results);
   std::map<std::string, std::vector<std::optional<RecordedValue>>> worst;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const std::vector<RecordedValue> all = recorded_values(*results[i]);
-    for (const ValuesOfQuantity& quantity : by_quantity(all)) {
+    for (const ValuesOfQuantity& quantity : by_quantity(verification_in(*results[i]).values)) {
       worst[quantity.quantity].resize(results.size());
       worst[quantity.quantity][i] = quantity.worst != nullptr ? std::optional(*quantity.worst) : std::nullopt;
     }
@@ -66,11 +69,11 @@ void write_test_values(const DatedResults& results, const std::string& standard,
 
 }  // namespace
 
-void write_drift(const std::vector<ReportedResult>& results, Sheet& sheet) {
-  const DatedResults identifications = of_kind(results, ResultKind::Identification);
+void write_drift(const std::vector<RecordedResult>& results, Sheet& sheet) {
+  const DatedResults identifications = dated<RecordedIdentification>(results);
   std::map<std::string, DatedResults> by_standard;
-  for (const Json* verification : of_kind(results, ResultKind::Verification)) {
-    by_standard[text_in(*verification, "standard")].push_back(verification);
+  for (const RecordedResult* verification : dated<RecordedVerification>(results)) {
+    by_standard[verification_in(*verification).standard].push_back(verification);
   }
   std::erase_if(by_standard, [](const auto& entry) { return entry.second.size() < 2; });
   if (identifications.size() < 2 && by_standard.empty()) {

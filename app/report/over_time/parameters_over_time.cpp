@@ -27,11 +27,15 @@ struct ComparedResults {
   std::set<std::string> moved;  ///< fixed parameters whose values differed
 };
 
+const RecordedIdentification& identification_in(const RecordedResult& result) {
+  return std::get<RecordedIdentification>(result.content);
+}
+
 ComparedResults compared(const DatedResults& results) {
   ComparedResults all;
-  const CalibratedParameters first = calibrated_parameters(*results.front());
-  for (const Json* result : results) {
-    all.with_first.push_back(compare(first, calibrated_parameters(*result)));
+  const CalibratedParameters first = calibrated_parameters(identification_in(*results.front()));
+  for (const RecordedResult* result : results) {
+    all.with_first.push_back(compare(first, calibrated_parameters(identification_in(*result))));
     const ParameterComparison& comparison = all.with_first.back();
     if (!comparison.not_comparable.empty()) {
       all.not_comparable = comparison.not_comparable;
@@ -84,12 +88,15 @@ Figure drift_figure(const std::vector<ParameterComparison>& with_first, const Re
       {{"kind", "drift"}, {"quantity", "change"}, {"unit", "µm"}, {"dated", times.dated}, {"series", series}}};
 }
 
+// The first input is the recording.
 bool share_a_recording(const DatedResults& results) {
-  std::set<Json> recordings;
-  for (const Json* result : results) {
-    recordings.insert(result->at("inputs").at(0).at("sha256"));
+  std::set<std::string> recordings;
+  for (const RecordedResult* result : results) {
+    if (!result->head.inputs.empty() && !recordings.insert(result->head.inputs.front().sha256).second) {
+      return true;
+    }
   }
-  return recordings.size() < results.size();
+  return false;
 }
 
 }  // namespace
@@ -116,7 +123,8 @@ void write_parameters_over_time(const DatedResults& identifications, Sheet& shee
   }
   const ResultTimes times = times_of(identifications);
   const auto& changes = all.with_first.back().changes;
-  sheet.figure(drift_figure(all.with_first, times, identifications.front()->at("coupling").at("angle_scale_mm")));
+  const double reach = identification_in(*identifications.front()).identifiability.angle_scale;
+  sheet.figure(drift_figure(all.with_first, times, reach));
   sheet.table(change_table(fmt::format("From {} to {}; u is the standard uncertainty of the change",
                                        times.labels.front().get<std::string>(), times.labels.back().get<std::string>()),
                            changes));

@@ -6,7 +6,7 @@
 namespace artcal {
 
 /// How the parameters of two or more identifications changed since the first, in its gauge
-/// (app/results/drift/parameter_comparison.h). Throws std::exception where the JSON is not as the schema says.
+/// (app/results/drift/parameter_comparison.h).
 void write_parameters_over_time(const DatedResults& identifications, Sheet& sheet);
 
 }  // namespace artcal

@@ -6,15 +6,12 @@
 
 #include "app/output/phrases.h"
 #include "app/report/numbers.h"
-#include "app/results/verification/recorded_plate.h"
-#include "app/results/verification/recorded_value.h"
 #include "artefacts/verification/decision/specification.h"
 #include "core/units.h"
 
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace numbers;
 
 void write_plate(const RecordedPlate& plate, Sheet& sheet) {
@@ -77,7 +74,7 @@ void write_volumetric(const VolumetricSummary& summary, Sheet& sheet) {
                {"2 s about the mean", micrometres(summary.twice_s) + " µm"}});
 }
 
-void write_drifts(const Json& interim, Sheet& sheet) {
+void write_drifts(const std::vector<Drift>& drifts, Sheet& sheet) {
   html::Table table("Drift since the earlier verification, µm", {{"quantity", false, true},
                                                                  {"placement", false},
                                                                  {"feature", false},
@@ -86,7 +83,7 @@ void write_drifts(const Json& interim, Sheet& sheet) {
                                                                  {"drift", true, false, false, false, true},
                                                                  {"u"},
                                                                  {"", false, false, false, false, true}});
-  for (const Drift& drift : recorded_drifts(interim)) {
+  for (const Drift& drift : drifts) {
     table.add_markup({html::cell(name_of(drift.quantity)), html::cell(shown(drift.placement)),
                       html::cell(shown(drift.first) + (drift.second.empty() ? "" : " – " + shown(drift.second))),
                       deviation_micrometres(drift.then, is_signed(drift.quantity)),
@@ -103,24 +100,23 @@ void write_drifts(const Json& interim, Sheet& sheet) {
 
 }  // namespace
 
-void write_beside_values(const Json& verification, Sheet& sheet) {
-  if (!verification.at("interim").is_null()) {
-    write_drifts(verification.at("interim"), sheet);
+void write_beside_values(const RecordedVerification& verification, Sheet& sheet) {
+  if (verification.drifts) {
+    write_drifts(*verification.drifts, sheet);
   }
-  if (!verification.at("volumetric").is_null()) {
-    write_volumetric(recorded_volumetric(verification.at("volumetric")), sheet);
+  if (verification.volumetric) {
+    write_volumetric(*verification.volumetric, sheet);
   }
-  write_articulations(recorded_articulations(verification.at("articulations")), sheet);
-  for (const RecordedPlate& plate : recorded_plates(verification.at("plates"))) {
+  write_articulations(verification.articulations, sheet);
+  for (const RecordedPlate& plate : verification.plates) {
     write_plate(plate, sheet);
   }
-  for (const RecordedCalibration& calibration : recorded_calibrations(verification.at("plate_calibrations"))) {
+  for (const RecordedCalibration& calibration : verification.calibrations) {
     write_calibration(calibration, sheet);
   }
 }
 
-void write_interim_verdict(const Json& interim, Sheet& sheet) {
-  const std::vector<Drift> drifts = recorded_drifts(interim);
+void write_interim_verdict(const std::vector<Drift>& drifts, Sheet& sheet) {
   const auto significant =
       std::count_if(drifts.begin(), drifts.end(), [](const Drift& drift) { return drift.significant; });
   const bool told =

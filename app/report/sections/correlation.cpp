@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "app/report/numbers.h"
-
 namespace artcal {
 namespace {
 
@@ -19,10 +17,12 @@ struct Pair {
   double correlation = 0.0;
 };
 
-std::vector<Pair> pairs_of(const Json& matrix, std::size_t count) {
+std::vector<Pair> pairs_of(const Eigen::MatrixXd& matrix) {
   std::vector<Pair> pairs;
-  const auto at = [&](std::size_t i, std::size_t j) { return matrix.at(i).at(j).get<double>(); };
-  for (std::size_t i = 0; i < count; ++i) {
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(matrix.rows()); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       pairs.push_back({i, j, at(i, j) / std::sqrt(at(i, i) * at(j, j))});
     }
@@ -43,9 +43,9 @@ std::string closest_in_words(std::vector<Pair> pairs, const std::vector<std::str
 
 }  // namespace
 
-Figure correlation_of(const Json& covariance) {
-  const auto names = covariance.at("parameters").get<std::vector<std::string>>();
-  const auto pairs = pairs_of(covariance.at("matrix"), names.size());
+Figure correlation_of(const RecordedCovariance& covariance) {
+  const auto& names = covariance.parameters;
+  const auto pairs = pairs_of(covariance.matrix);
   Json x = Json::array(), y = Json::array(), values = Json::array();
   for (const Pair& pair : pairs) {
     x.push_back(pair.second);

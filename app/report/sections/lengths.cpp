@@ -87,7 +87,7 @@ void write_length_errors(const RecordedEvaluation& before, const RecordedEvaluat
     table.add({shown(length.placement), shown(length.first) + " – " + shown(length.second),
                length.certified ? mm(*length.certified) : "–",
                length.certified_at ? fmt::format("{:.4g}", *length.certified_at) : "–", mm(length.at_temperature),
-               signed_mm(before.lengths.at(i).error), signed_mm(length.error),
+               signed_mm(before.lengths[i].error), signed_mm(length.error),
                unseen.back() == nullptr ? "–" : signed_mm(unseen.back()->error)});
   }
   sheet.part("Certified lengths");

@@ -14,29 +14,21 @@
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace numbers;
+using Quantities = std::vector<RecordedQuantity>;
 
 constexpr std::size_t max_named = 8;
 
-std::size_t count_where(const Json& quantities, const char* key, bool value) {
-  return static_cast<std::size_t>(std::count_if(quantities.begin(), quantities.end(),
-                                                [&](const Json& one) { return one.at(key).get<bool>() == value; }));
-}
-
-std::string noise_in_words(const Json& noise) {
-  const auto one = [&](const char* key, double unit, const char* format) {
-    return noise.at(key).is_null() ? std::string()
-                                   : fmt::format(fmt::runtime(format), noise.at(key).get<double>() / unit);
-  };
-  std::string text = one("reading_mm", units::micrometre, "{:.3g} µm a reading");
-  text += one("encoder_rad", units::arcsecond, "{:.3g}″ a joint");
-  text += text.empty() || noise.at("probing_mm").is_null() ? "" : ", ";
-  text += one("probing_mm", units::micrometre, "{:.3g} µm a coordinate");
+std::string noise_in_words(const Noise& noise) {
+  std::string text;
+  text += noise.reading ? fmt::format("{:.3g} µm a reading", *noise.reading / units::micrometre) : "";
+  text += noise.encoder ? fmt::format("{:.3g}″ a joint", *noise.encoder / units::arcsecond) : "";
+  text += text.empty() || !noise.probing ? "" : ", ";
+  text += noise.probing ? fmt::format("{:.3g} µm a coordinate", *noise.probing / units::micrometre) : "";
   return text.empty() ? "estimated from the residuals" : text;
 }
 
-void write_sampled_parameters(const Json& quantities, Sheet& sheet) {
+void write_sampled_parameters(const Quantities& quantities, Sheet& sheet) {
   html::Table table("Parameters of the arm; u is the standard uncertainty (k = 1)",
                     {{"parameter", false, true},
                      {"unit", false},
@@ -46,20 +38,17 @@ void write_sampled_parameters(const Json& quantities, Sheet& sheet) {
                      {"95 % from"},
                      {"to"},
                      {"", false}});
-  for (const Json& quantity : quantities) {
-    if (quantity.at("kind") != "parameter") {
+  for (const RecordedQuantity& quantity : quantities) {
+    if (!quantity.is_parameter()) {
       continue;
     }
-    const ShownUnit unit = shown_unit(quantity.at("name").get<std::string>(), quantity.at("unit").get<std::string>());
-    const auto digits = [&](const Json& value) {
-      return fmt::format("{:.{}f}", value.get<double>() / unit.size, unit.decimals);
-    };
-    const Json& interval = quantity.at("interval_95");
-    table.add({shown(text_in(quantity, "name")), unit.name, digits(quantity.at("estimate")),
-               two_digits(number_in(quantity.at("u_first_order")) / unit.size),
-               two_digits(quantity.at("u").get<double>() / unit.size),
-               interval.is_null() ? "–" : digits(interval.at(0)), interval.is_null() ? "–" : digits(interval.at(1)),
-               quantity.at("differs_from_first_order").get<bool>() ? "⚠ differs" : ""});
+    const ShownUnit unit = shown_unit(quantity.name, quantity.unit);
+    const auto digits = [&](double value) { return fmt::format("{:.{}f}", value / unit.size, unit.decimals); };
+    const auto& interval = quantity.interval_95;
+    table.add({shown(quantity.name), unit.name, digits(quantity.estimate),
+               two_digits(quantity.u_first_order.value_or(NAN) / unit.size), two_digits(quantity.u / unit.size),
+               interval ? digits(interval->low) : "–", interval ? digits(interval->high) : "–",
+               quantity.differs_from_first_order ? "⚠ differs" : ""});
   }
   sheet.table(table);
 }
@@ -73,10 +62,10 @@ struct ShownFamily {
   bool is_linear = true, differs = false;
 };
 
-std::vector<ShownFamily> families_of(const Json& quantities) {
+std::vector<ShownFamily> families_of(const Quantities& quantities) {
   std::vector<ShownFamily> families;
-  for (const Json& quantity : quantities) {
-    const std::string name = measurand_family(quantity.at("kind"), quantity.at("name"));
+  for (const RecordedQuantity& quantity : quantities) {
+    const std::string name = measurand_family(quantity.kind, quantity.name);
     if (name.empty()) {
       continue;
     }
@@ -85,18 +74,18 @@ std::vector<ShownFamily> families_of(const Json& quantities) {
       family = families.insert(families.end(), ShownFamily{name});
     }
     ++family->count;
-    family->is_linear = family->is_linear && !quantity.at("u_first_order").is_null();
-    family->first_order += family->is_linear ? std::pow(quantity.at("u_first_order").get<double>(), 2) : 0.0;
-    family->monte_carlo += std::pow(quantity.at("u").get<double>(), 2);
-    family->differs = family->differs || quantity.at("differs_from_first_order").get<bool>();
-    if (const Json& interval = quantity.at("interval_95"); !interval.is_null()) {
-      family->widest = std::max(family->widest, interval.at(1).get<double>() - interval.at(0).get<double>());
+    family->is_linear = family->is_linear && quantity.u_first_order.has_value();
+    family->first_order += family->is_linear ? std::pow(*quantity.u_first_order, 2) : 0.0;
+    family->monte_carlo += std::pow(quantity.u, 2);
+    family->differs = family->differs || quantity.differs_from_first_order;
+    if (const auto& interval = quantity.interval_95) {
+      family->widest = std::max(family->widest, interval->high - interval->low);
     }
   }
   return families;
 }
 
-void write_measurands(const Json& quantities, Sheet& sheet) {
+void write_measurands(const Quantities& quantities, Sheet& sheet) {
   html::Table table("What the identified arm measures, µm; u is the root mean square over the places (k = 1)",
                     {{"measurand", false, true},
                      {"places"},
@@ -115,13 +104,12 @@ void write_measurands(const Json& quantities, Sheet& sheet) {
   sheet.table(table);
 }
 
-void write_differences(const Json& quantities, Sheet& sheet) {
+void write_differences(const Quantities& quantities, Sheet& sheet) {
   std::vector<std::string> named;
-  for (const Json& quantity : quantities) {
-    if (quantity.at("differs_from_first_order").get<bool>()) {
-      named.push_back(
-          shown(fmt::format("{} {}: {:.2f} times the first order", text_in(quantity, "kind"), text_in(quantity, "name"),
-                            quantity.at("u").get<double>() / number_in(quantity.at("u_first_order")))));
+  for (const RecordedQuantity& quantity : quantities) {
+    if (quantity.differs_from_first_order) {
+      named.push_back(shown(fmt::format("{} {}: {:.2f} times the first order", quantity.kind, quantity.name,
+                                        quantity.u / quantity.u_first_order.value_or(NAN))));
     }
   }
   if (named.empty()) {
@@ -138,47 +126,42 @@ void write_differences(const Json& quantities, Sheet& sheet) {
 
 }  // namespace
 
-void write_monte_carlo_verdict(const Json& result, Sheet& sheet) {
-  const Json& trials = result.at("trials");
-  const Json& quantities = result.at("quantities");
-  const std::size_t open = count_where(quantities, "stable", false);
-  const std::size_t differing = count_where(quantities, "differs_from_first_order", true);
-  const bool complete = trials.at("complete").get<bool>();
-  const bool good = complete && open == 0;
-  const int digits = result.at("options").at("digits").get<int>();
+void write_monte_carlo_verdict(const RecordedMonteCarlo& result, Sheet& sheet) {
+  const Quantities& quantities = result.quantities;
+  const auto open = static_cast<std::size_t>(
+      std::count_if(quantities.begin(), quantities.end(), [](const auto& quantity) { return !quantity.is_stable; }));
+  const auto differing = static_cast<std::size_t>(std::count_if(
+      quantities.begin(), quantities.end(), [](const auto& quantity) { return quantity.differs_from_first_order; }));
+  const bool good = result.is_complete && open == 0;
+  const std::string digits = plural(static_cast<std::size_t>(result.digits), "digit");
   sheet.verdict(
       good ? Mood::Good : Mood::Unsure,
-      !complete ? "⚠ Stopped before there were enough trials"
-      : good    ? fmt::format("✓ Uncertainties are stable to {}", plural(static_cast<std::size_t>(digits), "digit"))
-                : "⚠ More trials are needed",
+      !result.is_complete ? "⚠ Stopped before there were enough trials"
+      : good              ? fmt::format("✓ Uncertainties are stable to {}", digits)
+                          : "⚠ More trials are needed",
       fmt::format(
-          "Identified {} times from readings and certificates drawn anew. {} {}.{}", trials.at("made").get<long>(),
+          "Identified {} times from readings and certificates drawn anew. {} {}.{}", result.trials,
           open == 0 ? std::string("All quantities are stable; of them")
-                    : fmt::format("{} of {} quantities are not yet stable to {};", open, quantities.size(),
-                                  plural(static_cast<std::size_t>(digits), "digit")),
+                    : fmt::format("{} of {} quantities are not yet stable to {};", open, quantities.size(), digits),
           differing == 0 ? "none differs from its first-order uncertainty by more than 10 %"
                          : fmt::format("{} differ from their first-order uncertainty by more than 10 %", differing),
-          result.at("warnings").empty() ? "" : " See the warnings below."));
+          result.warnings.empty() ? "" : " See the warnings below."));
 }
 
-void write_monte_carlo(const Json& result, Sheet& sheet) {
-  const Json& trials = result.at("trials");
-  const Json& options = result.at("options");
-  sheet.facts({{"Arm", shown(text_in(result, "arm"))},
-               {"Recording", shown(text_in(result, "recording"))},
-               {"Model", shown(text_in(result, "model"))},
-               {"Probe", shown(text_in(options, "probe"))},
-               {"Noise of a reading", noise_in_words(options.at("noise"))},
-               {"Trials", fmt::format("{}, of which {} did not converge", trials.at("made").get<long>(),
-                                      trials.at("not_converged").get<long>())},
-               {"Seed", fmt::format("{}", result.at("seed").get<std::uint64_t>())}});
-  for (const Json& warning : result.at("warnings")) {
-    sheet.note("⚠ " + as_sentence(warning.get<std::string>()));
+void write_monte_carlo(const RecordedHead& head, const RecordedMonteCarlo& result, Sheet& sheet) {
+  sheet.facts({{"Arm", shown(head.arm)},
+               {"Recording", shown(head.recording)},
+               {"Model", shown(result.model)},
+               {"Probe", shown(result.probe)},
+               {"Noise of a reading", noise_in_words(result.noise)},
+               {"Trials", fmt::format("{}, of which {} did not converge", result.trials, result.not_converged)},
+               {"Seed", fmt::format("{}", result.seed)}});
+  for (const std::string& warning : result.warnings) {
+    sheet.note("⚠ " + as_sentence(warning));
   }
-  const Json& quantities = result.at("quantities");
-  write_sampled_parameters(quantities, sheet);
-  write_measurands(quantities, sheet);
-  write_differences(quantities, sheet);
+  write_sampled_parameters(result.quantities, sheet);
+  write_measurands(result.quantities, sheet);
+  write_differences(result.quantities, sheet);
   sheet.paragraph(
       "Monte Carlo as in JCGM 101: every trial draws the readings and the certified values from their distributions "
       "and identifies the arm again. Intervals are probabilistically symmetric.");

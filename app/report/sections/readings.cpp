@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -19,22 +18,6 @@ using namespace numbers;
 
 constexpr int max_drawn = 2400;
 constexpr int max_drawn_a_joint = 480;
-
-std::vector<std::vector<double>> lists_in(const Json& json) {
-  std::vector<std::vector<double>> lists;
-  for (const Json& list : json) {
-    lists.push_back(numbers_in(list));
-  }
-  return lists;
-}
-
-void require_length(const std::vector<std::vector<double>>& lists, std::size_t length) {
-  for (const auto& list : lists) {
-    if (list.size() != length) {
-      throw std::out_of_range("the columns of residuals differ in length");
-    }
-  }
-}
 
 double largest_of(const std::vector<double>& values) {
   double largest = 0.0;
@@ -59,12 +42,13 @@ struct Run {
   std::size_t begin = 0, end = 0;
 };
 
-std::vector<Run> runs_of(const Json& features, const std::vector<int>& feature, bool several_artefacts) {
+std::vector<Run> runs_of(const std::vector<RecordedFeature>& features, const std::vector<std::size_t>& feature,
+                         bool several_artefacts) {
   std::vector<Run> runs;
   for (std::size_t i = 0; i < feature.size(); ++i) {
-    const Json& of = features.at(static_cast<std::size_t>(feature[i]));
-    const std::string placement = text_in(of, "placement", "–");
-    const std::string name = shown(several_artefacts ? text_in(of, "artefact") + ", " + placement : placement);
+    const RecordedFeature& of = features[feature[i]];
+    const std::string placement = of.placement.empty() ? "–" : of.placement;
+    const std::string name = shown(several_artefacts ? of.artefact + ", " + placement : placement);
     if (runs.empty() || runs.back().name != name) {
       runs.push_back({name, i, i});
     }
@@ -83,32 +67,9 @@ double rms_of(const std::vector<double>& values) {
 
 }  // namespace
 
-ReportedReadings readings_in(const Json& identification) {
-  const Json& json = identification.at("residuals");
-  ReportedReadings readings{json.at("feature").get<std::vector<int>>(),
-                            lists_in(json.at("joints_rad")),
-                            numbers_in(json.at("before_mm")),
-                            numbers_in(json.at("after_mm")),
-                            lists_in(json.at("tip_mm")),
-                            lists_in(json.at("offset_mm")),
-                            json.value("prismatic_joints", std::vector<int>{})};
-  const std::size_t count = readings.feature.size();
-  require_length(readings.joints, count);
-  require_length({readings.before, readings.after}, count);
-  require_length(readings.tip, count);
-  require_length(readings.offset, count);
-  const auto features = static_cast<int>(identification.at("after").at("features").size());
-  const bool known = std::all_of(readings.feature.begin(), readings.feature.end(),
-                                 [&](int feature) { return feature >= 0 && feature < features; });
-  if (readings.tip.size() != 3 || readings.offset.size() != 3 || !known) {
-    throw std::out_of_range("residuals are of features that are not there");
-  }
-  return readings;
-}
-
-Figure residuals_by_placement(const Json& identification, const ReportedReadings& readings) {
-  const Json& after = identification.at("after");
-  const auto runs = runs_of(after.at("features"), readings.feature, after.at("artefacts").size() > 1);
+Figure residuals_by_placement(const RecordedIdentification& identification) {
+  const RecordedReadings& readings = *identification.readings;
+  const auto runs = runs_of(identification.features, readings.feature, identification.after.artefacts > 1);
   std::vector<double> order(readings.after.size());
   std::iota(order.begin(), order.end(), 0.0);
   const auto kept = thinned(order, readings.after, max_drawn);
@@ -134,7 +95,7 @@ Figure residuals_by_placement(const Json& identification, const ReportedReadings
            {"rms", drawn(unit.per_mm * rms)}}};
 }
 
-Figure residuals_by_joint(const ReportedReadings& readings) {
+Figure residuals_by_joint(const RecordedReadings& readings) {
   const DrawnUnit unit = drawn_unit(largest_of(readings.after));
   Json panels = Json::array();
   std::size_t least_drawn = readings.after.size();

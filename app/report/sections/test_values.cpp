@@ -36,8 +36,6 @@ std::string place_in_words(const Place& place) {
   return text;
 }
 
-std::string or_dash(const std::string& text) { return text.empty() ? "–" : text; }
-
 std::string u_in_words(const RecordedValue& value) { return fmt::format("{:.2f}", 1000.0 * value.u); }
 
 // The largest error need not be the worst value: limits grow with the length.

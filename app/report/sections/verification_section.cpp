@@ -14,7 +14,6 @@
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using namespace numbers;
 
 std::size_t count_of(const std::vector<RecordedValue>& values, Verdict verdict) {
@@ -23,32 +22,28 @@ std::size_t count_of(const std::vector<RecordedValue>& values, Verdict verdict) 
   }));
 }
 
-std::vector<std::string> texts_in(const Json& list) { return list.get<std::vector<std::string>>(); }
-
-void write_rules(const Json& result, Sheet& sheet) {
-  sheet.facts({{"Standard", standard_in_words(text_in(result, "standard"))},
-               {"Limits", shown(text_in(result, "specification", "none stated"))},
-               {"Decision rule", text_in(result, "decision_rule")},
-               {"Coordinates", result.at("tip_centres") == "reported" ? "as the arm's own software reported them"
-                                                                      : "computed from joint angles"}});
+void write_rules(const RecordedVerification& result, Sheet& sheet) {
+  sheet.facts({{"Standard", standard_in_words(result.standard)},
+               {"Limits", shown(result.specification.empty() ? "none stated" : result.specification)},
+               {"Decision rule", result.decision_rule},
+               {"Coordinates", result.is_of_reported_coordinates ? "as the arm's own software reported them"
+                                                                 : "computed from joint angles"}});
 }
 
 }  // namespace
 
-void write_verification_verdict(const Json& result, Sheet& sheet) {
-  const std::string conclusion = result.at("conclusion");
-  const std::vector<RecordedValue> values = recorded_values(result);
-  const bool good = conclusion == "conformity_shown";
-  const bool bad = conclusion == "non_conformity_shown";
-  std::string text =
-      fmt::format("{}: {}, conformity proven of {}, non-conformity of {}, neither of {}.",
-                  standard_in_words(text_in(result, "standard")), plural(values.size(), "value"),
-                  count_of(values, Verdict::ConformityProven), count_of(values, Verdict::NonConformityProven),
-                  count_of(values, Verdict::NeitherProven));
+void write_verification_verdict(const RecordedVerification& result, Sheet& sheet) {
+  const std::vector<RecordedValue>& values = result.values;
+  const bool good = result.conclusion == Conclusion::ConformityProven;
+  const bool bad = result.conclusion == Conclusion::NonConformityProven;
+  std::string text = fmt::format(
+      "{}: {}, conformity proven of {}, non-conformity of {}, neither of {}.", standard_in_words(result.standard),
+      plural(values.size(), "value"), count_of(values, Verdict::ConformityProven),
+      count_of(values, Verdict::NonConformityProven), count_of(values, Verdict::NeitherProven));
   if (const auto not_judged = count_of(values, Verdict::NotJudged); not_judged > 0) {
     text += fmt::format(" {} were not judged.", not_judged);
   }
-  if (!result.at("missing").empty()) {
+  if (!result.missing.empty()) {
     text += " The test is not complete: see below what is missing.";
   }
   sheet.verdict(good  ? Mood::Good
@@ -58,24 +53,22 @@ void write_verification_verdict(const Json& result, Sheet& sheet) {
                 : bad ? "✗ Non-conformity proven"
                       : "? Conformity not shown",
                 text);
-  if (!result.at("interim").is_null()) {
-    write_interim_verdict(result.at("interim"), sheet);
+  if (result.drifts) {
+    write_interim_verdict(*result.drifts, sheet);
   }
 }
 
-void write_verification(const Json& result, Sheet& sheet) {
+void write_verification(const RecordedVerification& result, Sheet& sheet) {
   write_rules(result, sheet);
-  if (!result.at("missing").empty()) {
+  if (!result.missing.empty()) {
     sheet.part("Missing for a proof of conformity");
-    sheet.list(texts_in(result.at("missing")));
+    sheet.list(result.missing);
   }
-  // Results of earlier versions do not have it.
-  if (result.contains("waived") && !result.at("waived").empty()) {
+  if (!result.waived.empty()) {
     sheet.part("Waived by the specification");
-    sheet.list(texts_in(result.at("waived")));
+    sheet.list(result.waived);
   }
-  const std::vector<RecordedValue> values = recorded_values(result);
-  const auto quantities = by_quantity(values);
+  const auto quantities = by_quantity(result.values);
   sheet.part("Values");
   write_worst_values(quantities, sheet);
   write_errors_over_length(quantities, sheet);

@@ -1,61 +1,57 @@
 #include "app/results/evaluation/recorded_evaluation.h"
 
-#include "app/results/recorded_json.h"
-
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::optional<double> number_at(const Json& json, const char* key) {
-  return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
-}
-
-RecordedDeviation deviation_from(const Json& json) {
-  return {recorded_text(json, "artefact"), recorded_text(json, "placement"), json.at("readings").get<std::size_t>(),
-          recorded_number(json.at("rms_mm")), recorded_number(json.at("maximum_mm"))};
+RecordedDeviation recorded_deviation(const RecordedObject& json) {
+  return {json.text_or("artefact"), json.text_or("placement"), json.count("readings"), json.number_or_nan("rms_mm"),
+          json.number_or_nan("maximum_mm")};
 }
 
 // Results of earlier versions have the length at the temperature of the placement alone, as `certified_mm`.
-RecordedLength length_from(const Json& json) {
+RecordedLength recorded_length(const RecordedObject& json) {
   RecordedLength length;
-  length.artefact = recorded_text(json, "artefact");
-  length.placement = recorded_text(json, "placement");
-  length.first = recorded_text(json, "first");
-  length.second = recorded_text(json, "second");
-  length.certified_at = number_at(json, "certified_at_C");
-  length.certified = length.certified_at ? number_at(json, "certified_mm") : std::nullopt;
-  length.at_temperature = json.at(json.contains("at_temperature_mm") ? "at_temperature_mm" : "certified_mm");
-  length.error = recorded_number(json.at("error_mm"));
+  length.artefact = json.text_or("artefact");
+  length.placement = json.text_or("placement");
+  length.first = json.text_or("first");
+  length.second = json.text_or("second");
+  length.certified_at = json.optional_number("certified_at_C");
+  length.certified = length.certified_at ? json.optional_number("certified_mm") : std::nullopt;
+  length.at_temperature = json.number(json.has("at_temperature_mm") ? "at_temperature_mm" : "certified_mm");
+  length.error = json.number_or_nan("error_mm");
   return length;
-}
-
-std::vector<RecordedLength> lengths_from(const Json& list) {
-  std::vector<RecordedLength> lengths;
-  for (const Json& json : list) {
-    lengths.push_back(length_from(json));
-  }
-  return lengths;
 }
 
 }  // namespace
 
-RecordedEvaluation recorded_evaluation(const Json& evaluation) {
-  RecordedEvaluation read;
-  read.overall = deviation_from(evaluation.at("overall"));
-  for (const Json& json : evaluation.at("placements")) {
-    read.placements.push_back(deviation_from(json));
-  }
-  read.lengths = lengths_from(evaluation.at("lengths"));
-  return read;
+RecordedEvaluation recorded_evaluation(const RecordedObject& evaluation) {
+  return {recorded_deviation(evaluation.object("overall")), evaluation.size_of("artefacts"),
+          evaluation.list("placements", recorded_deviation), evaluation.list("lengths", recorded_length)};
 }
 
-std::vector<RecordedLeftOut> recorded_left_out(const Json& left_out) {
-  std::vector<RecordedLeftOut> read;
-  for (const Json& json : left_out) {
-    read.push_back({deviation_from(json), lengths_from(json.at("lengths")), !json.at("refusal").is_null()});
-  }
-  return read;
+std::vector<RecordedFeature> recorded_features(const RecordedObject& evaluation_or_verification) {
+  return evaluation_or_verification.list("features", [](const RecordedObject& json) {
+    return RecordedFeature{json.text_or("artefact"), json.text_or("placement"), json.text_or("feature"),
+                           json.point("at_mm")};
+  });
+}
+
+std::vector<RecordedLeftOut> recorded_left_out(const RecordedObject& identification) {
+  return identification.list("left_out", [](const RecordedObject& json) {
+    return RecordedLeftOut{recorded_deviation(json), json.list("lengths", recorded_length), json.has("refusal")};
+  });
+}
+
+std::vector<RecordedOutlier> recorded_outliers(const RecordedObject& identification) {
+  return identification.list("outliers", [](const RecordedObject& json) {
+    return RecordedOutlier{json.text_or("where"),
+                           json.text_or("placement"),
+                           json.text_or("feature"),
+                           json.number("deviation_mm"),
+                           json.truth_or("deviation_is_signed", true),
+                           json.number("standardised"),
+                           json.number("limit")};
+  });
 }
 
 }  // namespace artcal

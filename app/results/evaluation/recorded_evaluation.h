@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <Eigen/Core>
+
+#include "app/results/recorded/recorded_object.h"
 
 namespace artcal {
 
@@ -31,6 +33,7 @@ struct RecordedLength {
 /// The readings of a recording judged by one arm (table "evaluation").
 struct RecordedEvaluation {
   RecordedDeviation overall;
+  std::size_t artefacts = 0;
   std::vector<RecordedDeviation> placements;
   std::vector<RecordedLength> lengths;
 };
@@ -42,8 +45,24 @@ struct RecordedLeftOut {
   bool is_refused = false;
 };
 
-/// Each throws std::exception where the JSON is not as the schema says.
-RecordedEvaluation recorded_evaluation(const nlohmann::ordered_json& evaluation);
-std::vector<RecordedLeftOut> recorded_left_out(const nlohmann::ordered_json& left_out);
+/// Where a feature of a placement is, mm in the base frame: in "features" of an evaluation and of a verification.
+struct RecordedFeature {
+  std::string artefact, placement, feature;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+};
+
+/// A reading that deviates by more than chance allows (table "outlier").
+struct RecordedOutlier {
+  std::string where, placement, feature;
+  double deviation = 0.0;  ///< mm
+  bool is_signed = true;
+  double standardised = 0.0, limit = 0.0;
+};
+
+/// Each throws NotAsInSchema.
+RecordedEvaluation recorded_evaluation(const RecordedObject& evaluation);
+std::vector<RecordedFeature> recorded_features(const RecordedObject& evaluation_or_verification);
+std::vector<RecordedLeftOut> recorded_left_out(const RecordedObject& identification);
+std::vector<RecordedOutlier> recorded_outliers(const RecordedObject& identification);
 
 }  // namespace artcal

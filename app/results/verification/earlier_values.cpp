@@ -1,6 +1,6 @@
 #include "app/results/verification/earlier_values.h"
 
-#include <exception>
+#include <fmt/format.h>
 
 #include "app/output/json_file.h"
 #include "app/results/schema_version.h"
@@ -12,9 +12,7 @@
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// Throws what value() throws of a quantity that no verification has, and where the budget is absent.
+// REQUIRES: it has a budget.
 TestValue test_value(const RecordedValue& recorded) {
   TestValue value;
   value.quantity = quantity_named(recorded.quantity).value();
@@ -44,17 +42,21 @@ Expected<std::vector<TestValue>> read_earlier_values(const std::string& path, co
     return tl::unexpected(parsed.error());
   }
   try {
-    Json& json = *parsed;
-    if (json.at("kind") != "verification" || !bring_up_to_date(json) || json.at("standard") != standard) {
+    const bool is_known = bring_up_to_date(*parsed);
+    const RecordedObject result(*parsed);
+    if (result.text("kind") != "verification" || !is_known || result.text("standard") != standard) {
       return bad_input("this is no result of artcal verify by " + standard + " that this version reads", path);
     }
     std::vector<TestValue> values;
-    for (const RecordedValue& recorded : recorded_values(json)) {
+    for (const RecordedValue& recorded : recorded_values(result)) {
+      if (!recorded.budget) {
+        result.refuse("values", "a list with a value without its budget, which an interim check needs");
+      }
       values.push_back(test_value(recorded));
     }
     return values;
-  } catch (const std::exception&) {
-    return bad_input("this is no result of artcal verify (--json): it cannot be read as one", path);
+  } catch (const NotAsInSchema& reason) {
+    return bad_input(fmt::format("this is no result of artcal verify (--json): {}", reason.what()), path);
   }
 }
 

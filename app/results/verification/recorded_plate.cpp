@@ -1,79 +1,63 @@
 #include "app/results/verification/recorded_plate.h"
 
-#include "app/results/recorded_json.h"
-
 namespace artcal {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Eigen::Vector3d vector_from(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-RecordedPlate plate_from(const Json& json) {
+RecordedPlate recorded_plate(const RecordedObject& json) {
   RecordedPlate plate;
-  plate.artefact = recorded_text(json, "artefact");
-  plate.placement = recorded_text(json, "placement");
-  plate.repeat = recorded_text(json, "repeat");
-  plate.rms = json.at("rms_mm");
-  plate.scale_ppm = json.at("scale_ppm");
-  plate.u_scale_ppm = json.at("u_scale_ppm");
-  plate.en_worst = json.at("en_worst");
-  plate.finding = recorded_text(json, "finding");
-  for (const Json& ball : json.at("balls")) {
-    plate.balls.push_back({recorded_text(ball, "feature"), vector_from(ball.at("residual_mm")), ball.at("standardised"),
-                           ball.at("stands_out")});
-  }
+  plate.artefact = json.text_or("artefact");
+  plate.placement = json.text_or("placement");
+  plate.repeat = json.text_or("repeat");
+  plate.rms = json.number("rms_mm");
+  plate.scale_ppm = json.number("scale_ppm");
+  plate.u_scale_ppm = json.number("u_scale_ppm");
+  plate.en_worst = json.number("en_worst");
+  plate.finding = json.text_or("finding");
+  plate.balls = json.list("balls", [](const RecordedObject& ball) {
+    return RecordedPlate::Ball{ball.text_or("feature"), ball.point("residual_mm"), ball.number("standardised"),
+                               ball.truth("stands_out")};
+  });
   return plate;
 }
 
-RecordedCalibration calibration_from(const Json& json) {
+RecordedCalibration recorded_calibration(const RecordedObject& json) {
   RecordedCalibration calibration;
-  calibration.artefact = recorded_text(json, "artefact");
-  calibration.placements = json.at("placements");
-  calibration.least_turn = json.at("least_turn_rad");
-  for (const Json& ball : json.at("balls")) {
-    calibration.balls.push_back({recorded_text(ball, "feature"), vector_from(ball.at("at_mm")),
-                                 vector_from(ball.at("deviation_mm")), recorded_number(ball.at("u_mm"))});
-  }
+  calibration.artefact = json.text_or("artefact");
+  calibration.placements = json.count("placements");
+  calibration.least_turn = json.number("least_turn_rad");
+  calibration.balls = json.list("balls", [](const RecordedObject& ball) {
+    return RecordedCalibration::Ball{ball.text_or("feature"), ball.point("at_mm"), ball.point("deviation_mm"),
+                                     ball.number_or_nan("u_mm")};
+  });
   return calibration;
 }
 
-Articulation articulation_from(const Json& json) {
-  return {recorded_text(json, "artefact"),
-          recorded_text(json, "placement"),
-          recorded_text(json, "feature"),
-          json.at("readings").get<int>(),
-          json.at("largest_mm"),
-          json.at("twice_s_mm"),
-          vector_from(json.at("half_range_mm"))};
-}
-
-template <typename Read>
-auto all_of(const Json& list, Read&& read) {
-  std::vector<decltype(read(list))> all;
-  for (const Json& json : list) {
-    all.push_back(read(json));
-  }
-  return all;
+Articulation recorded_articulation(const RecordedObject& json) {
+  return {json.text_or("artefact"),  json.text_or("placement"), json.text_or("feature"),    json.integer("readings"),
+          json.number("largest_mm"), json.number("twice_s_mm"), json.point("half_range_mm")};
 }
 
 }  // namespace
 
-std::vector<RecordedPlate> recorded_plates(const Json& plates) { return all_of(plates, plate_from); }
-
-std::vector<RecordedCalibration> recorded_calibrations(const Json& calibrations) {
-  return all_of(calibrations, calibration_from);
+std::vector<RecordedPlate> recorded_plates(const RecordedObject& verification) {
+  return verification.list("plates", recorded_plate);
 }
 
-std::vector<Articulation> recorded_articulations(const Json& articulations) {
-  return all_of(articulations, articulation_from);
+std::vector<RecordedCalibration> recorded_calibrations(const RecordedObject& verification) {
+  return verification.list("plate_calibrations", recorded_calibration);
 }
 
-VolumetricSummary recorded_volumetric(const Json& summary) {
-  return {summary.at("lengths").get<int>(), summary.at("largest_mm"), summary.at("range_mm"),
-          summary.at("twice_rms_mm"), summary.at("twice_s_mm")};
+std::vector<Articulation> recorded_articulations(const RecordedObject& verification) {
+  return verification.list("articulations", recorded_articulation);
+}
+
+std::optional<VolumetricSummary> recorded_volumetric(const RecordedObject& verification) {
+  if (!verification.has("volumetric")) {
+    return std::nullopt;
+  }
+  const RecordedObject json = verification.object("volumetric");
+  return VolumetricSummary{json.integer("lengths"), json.number("largest_mm"), json.number("range_mm"),
+                           json.number("twice_rms_mm"), json.number("twice_s_mm")};
 }
 
 }  // namespace artcal

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
 
+#include "app/results/recorded/recorded_object.h"
 #include "artefacts/verification/b89_4_22/b89_4_22.h"
 
 namespace artcal {
@@ -41,10 +42,10 @@ struct RecordedCalibration {
   std::vector<Ball> balls;
 };
 
-/// Each throws std::exception where the JSON is not as the schema says.
-std::vector<RecordedPlate> recorded_plates(const nlohmann::ordered_json& plates);
-std::vector<RecordedCalibration> recorded_calibrations(const nlohmann::ordered_json& calibrations);
-std::vector<Articulation> recorded_articulations(const nlohmann::ordered_json& articulations);
-VolumetricSummary recorded_volumetric(const nlohmann::ordered_json& summary);
+/// Each reads the part of a verification; all throw NotAsInSchema. Nothing: another standard.
+std::vector<RecordedPlate> recorded_plates(const RecordedObject& verification);
+std::vector<RecordedCalibration> recorded_calibrations(const RecordedObject& verification);
+std::vector<Articulation> recorded_articulations(const RecordedObject& verification);
+std::optional<VolumetricSummary> recorded_volumetric(const RecordedObject& verification);
 
 }  // namespace artcal

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
+#include "app/results/recorded/recorded_object.h"
 #include "artefacts/verification/decision/budget.h"
 #include "artefacts/verification/decision/decision.h"
 #include "artefacts/verification/interim.h"
@@ -38,10 +37,10 @@ struct RecordedValue {
   [[nodiscard]] double severity() const;
 };
 
-/// The values of a verification, in their order. Throws std::exception where the JSON is not as the schema says.
-std::vector<RecordedValue> recorded_values(const nlohmann::ordered_json& verification);
+/// The values of a verification, in their order. Throws NotAsInSchema.
+std::vector<RecordedValue> recorded_values(const RecordedObject& verification);
 
-/// The drifts of its interim check. Throws as that.
-std::vector<Drift> recorded_drifts(const nlohmann::ordered_json& interim);
+/// The drifts of its interim check; nothing where it was none. Throws as that.
+std::optional<std::vector<Drift>> recorded_drifts(const RecordedObject& verification);
 
 }  // namespace artcal

@@ -19,7 +19,6 @@
 #include "artefacts/verification/decision/specification_file.h"
 #include "artefacts/verification/verify.h"
 #include "identification/identify.h"
-#include "tests/support/temporary_folder.h"
 
 namespace artcal {
 namespace {
@@ -270,15 +269,13 @@ TEST_F(ReportOfIdentification, SaysThatNothingWasLeftOut) {
   EXPECT_THAT(report_html({reported(result)}).value(), HasSubstr("✓ Identified"));
 }
 
-TEST(ReportOfResults, UnknownQuantitiesAreRefused) {
-  const testing::TemporaryFolder folder;
-  Json result = verified("iso10360-12", Standard::Iso10360_12);
-  std::vector<InputFile> inputs;
-  EXPECT_TRUE(read_result(folder.write("good.json", result.dump()).string(), inputs));
+TEST_F(PageOfVerification, OfAnUnknownQuantityIsRefused) {
+  Json result = whole_;
   result["values"][3]["quantity"] = "E_Tri";
-  const auto read = read_result(folder.write("unknown.json", result.dump()).string(), inputs);
-  ASSERT_FALSE(read);
-  EXPECT_THAT(read.error().text(), HasSubstr("is of the quantity \"E_Tri\", expected P_Size"));
+  const auto page = report_html({{ResultKind::Verification, result, "v.json"}});
+  ASSERT_FALSE(page);
+  EXPECT_THAT(page.error().text(), HasSubstr("v.json: this result is not as --json wrote it: values[3].quantity is "
+                                             "\"E_Tri\", expected P_Size"));
 }
 
 // A nominal arm that cannot be evaluated: null in the result, a dash in the report.

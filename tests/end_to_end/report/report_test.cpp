@@ -271,8 +271,10 @@ TEST_F(Report, RefusesWhatIsNoResult) {
   EXPECT_THAT(refusal("[1, 2"), HasSubstr("no result of artcal"));
   EXPECT_THAT(refusal("{\"kind\": \"fit\", \"schema_version\": 1}"), HasSubstr("a result of kind \"fit\""));
   EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 3}"), HasSubstr("schema_version"));
-  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1}"), HasSubstr("lacks"));
-  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1, \"arm\": 7}"), HasSubstr("lacks"));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1}"),
+              HasSubstr("result.json: this result is not as --json wrote it: program is missing, expected an object"));
+  EXPECT_THAT(refusal("{\"kind\": \"identification\", \"schema_version\": 1, \"arm\": 7, \"program\": {}}"),
+              HasSubstr("arm is 7, expected a text"));
 }
 
 TEST_F(Report, NeverOverwritesTheResult) {

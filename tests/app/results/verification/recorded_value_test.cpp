@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace artcal {
 namespace {
@@ -49,7 +49,7 @@ Json length() {
 RecordedValue read(const Json& value) {
   Json verification;
   verification["values"].push_back(value);
-  return recorded_values(verification).at(0);
+  return recorded_values(RecordedObject(verification)).at(0);
 }
 
 TEST(RecordedValues, AreReadWithTheirTypes) {
@@ -82,13 +82,28 @@ TEST(RecordedValues, MayLackWhatTheirVersionDidNotHave) {
   EXPECT_EQ(value.budget.value().points, 0.0);
 }
 
-TEST(RecordedValues, WithoutAValueAreRefused) {
+std::string refusal(const Json& value) {
+  try {
+    (void)read(value);
+  } catch (const NotAsInSchema& reason) {
+    return reason.what();
+  }
+  return "read";
+}
+
+TEST(RecordedValues, AreRefusedByThePlaceOfWhatIsWrong) {
   Json broken = length();
   broken.erase("value_mm");
-  EXPECT_THROW((void)read(broken), std::exception);
+  EXPECT_EQ(refusal(broken), "values[0].value_mm is missing, expected a number");
   broken = length();
   broken["verdict"] = 3;
-  EXPECT_THROW((void)read(broken), std::exception);
+  EXPECT_EQ(refusal(broken), "values[0].verdict is 3, expected a text");
+  broken = length();
+  broken["place"]["octant"] = 1e12;
+  EXPECT_EQ(refusal(broken), "values[0].place.octant is 1000000000000.0, expected a whole number");
+  broken = length();
+  broken["quantity"] = "E_Tri";
+  EXPECT_THAT(refusal(broken), ::testing::StartsWith("values[0].quantity is \"E_Tri\", expected P_Size"));
 }
 
 }  // namespace
