@@ -15,6 +15,7 @@ import matplotlib
 matplotlib.use("svg")
 matplotlib.rcParams["svg.hashsalt"] = "artcal"
 import matplotlib.pyplot as pyplot  # noqa: E402
+from matplotlib import ticker  # noqa: E402
 
 from measuring import side_by_side  # noqa: E402
 from recordings import ROOT, Maker  # noqa: E402
@@ -71,6 +72,8 @@ def draw(axes, title, axis, found, names):
         slope = -1 if axis == "threads" else 1
         axes.plot([x1, x0], [reference * (x1 / x0) ** slope, reference], ":", color="grey", label="in proportion")
     axes.set(title=title, xlabel=axis, ylabel="s", xscale="log", yscale="log")
+    axes.set_xticks([x for x, _ in found], [f"{x:,}" for x, _ in found])
+    axes.xaxis.set_minor_formatter(ticker.NullFormatter())
     axes.grid(True, alpha=0.3)
 
 
