@@ -95,6 +95,8 @@ build_preset() {
   install_packages "$preset"
   if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER:-} ]] && ccache --print-stats >/dev/null 2>&1; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    # Without these it does not serve what is compiled with precompiled headers.
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
   fi
   say "building the $preset preset (log: build/$preset.log)"
   if ! configure "$preset" >"$log" 2>&1; then

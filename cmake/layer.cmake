@@ -1,9 +1,9 @@
-# artcal_layer(NAME PUBLIC_HEADERS … SOURCES … LINKS … PRIVATE_LINKS …)
+# artcal_layer(NAME PUBLIC_HEADERS … SOURCES … LINKS … PRIVATE_LINKS … PRECOMPILED …)
 #
 # One static library per folder, artcal::NAME. PUBLIC_HEADERS are installed and may show only
 # Eigen, tl::expected and the standard library; everything else stays behind SOURCES.
 function(artcal_layer name)
-  cmake_parse_arguments(LAYER "" "" "PUBLIC_HEADERS;SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(LAYER "" "" "PUBLIC_HEADERS;SOURCES;LINKS;PRIVATE_LINKS;PRECOMPILED" ${ARGN})
   set(target artcal_${name})
   add_library(${target} STATIC ${LAYER_SOURCES})
   add_library(artcal::${name} ALIAS ${target})
@@ -13,6 +13,7 @@ function(artcal_layer name)
   target_link_libraries(${target} PUBLIC ${LAYER_LINKS} PRIVATE ${LAYER_PRIVATE_LINKS})
   artcal_compile_options(${target})
   artcal_join_folders(${target})
+  artcal_precompile(${target} ${LAYER_PRECOMPILED})
   set_property(GLOBAL APPEND PROPERTY ARTCAL_LAYERS ${target})
 endfunction()
 
@@ -27,6 +28,27 @@ function(artcal_join_folders target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# Where ARTCAL_PRECOMPILE_HEADERS is set, the target reads cmake/precompiled.h compiled. With OF_ITS_OWN it compiles the header
+# itself, with its own options: g++ takes none that was compiled with others.
+function(artcal_precompile target)
+  if(NOT ARTCAL_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>) # for ccache
+  if("OF_ITS_OWN" IN_LIST ARGN)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+    return()
+  endif()
+  if(NOT TARGET artcal_precompiled)
+    add_library(artcal_precompiled OBJECT ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
+    target_include_directories(artcal_precompiled PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(artcal_precompiled PRIVATE Eigen3::Eigen tl::expected fmt::fmt nlohmann_json::nlohmann_json)
+    artcal_compile_options(artcal_precompiled)
+    target_precompile_headers(artcal_precompiled PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM artcal_precompiled)
 endfunction()
 
 function(artcal_compile_options target)

@@ -96,12 +96,12 @@ std::string unnamed_parts(const std::string& text) {
   return parts;
 }
 
-/// Layer of a source, from the root; empty for commands, which are compiled one by one.
+/// Layer of a source, from the root; empty outside of them.
 std::string layer_of(const std::string& file) {
   for (const char* layer : {"app/commands", "artefacts/simulation", "artefacts/verification", "core", "acquisition",
                             "fitting", "artefacts", "identification", "app"}) {
     if (file.starts_with(std::string(layer) + "/")) {
-      return layer == std::string("app/commands") ? "" : layer;
+      return layer;
     }
   }
   return {};

@@ -23,9 +23,7 @@
 namespace artcal {
 namespace {
 
-constexpr int interrupted = 130;  // as shells have it: 128 + SIGINT
-
-struct Request {
+struct BatchArguments {
   CommonOptions common;
   RecordingOptions access;
   std::vector<std::string> paths;
@@ -42,63 +40,63 @@ std::vector<InputFile> as_inputs(const std::vector<std::string>& files) {
 }
 
 // Beside a file only: an index that goes to a pipe or a device has none.
-std::optional<ReportPages> pages_of(const Request& request) {
+std::optional<ReportPages> pages_of(const BatchArguments& arguments) {
   std::error_code ignored;
-  const auto index = std::filesystem::status(request.report, ignored);
-  if (request.report.empty() || request.report_pages == "none" ||
+  const auto index = std::filesystem::status(arguments.report, ignored);
+  if (arguments.report.empty() || arguments.report_pages == "none" ||
       (std::filesystem::exists(index) && !std::filesystem::is_regular_file(index))) {
     return std::nullopt;
   }
-  return ReportPages(request.report, request.report_pages == "self-contained" ? ReportPages::Kind::SelfContained
-                                                                              : ReportPages::Kind::Shared);
+  return ReportPages(arguments.report, arguments.report_pages == "self-contained" ? ReportPages::Kind::SelfContained
+                                                                                  : ReportPages::Kind::Shared);
 }
 
-Expected<void> write_index(const Request& request, Store& store, const std::vector<std::string>& files,
+Expected<void> write_index(const BatchArguments& arguments, Store& store, const std::vector<std::string>& files,
                            const BatchSummary& summary, const ReportPages* pages) {
-  if (request.report.empty()) {
+  if (arguments.report.empty()) {
     return {};
   }
   const auto rows = index_rows(store, files, pages, summary);
   if (!rows) {
     return tl::unexpected(rows.error());
   }
-  return write_file(request.report, index_html("Calibrations", *rows));
+  return write_file(arguments.report, index_html("Calibrations", *rows));
 }
 
-Expected<int> run_and_tell(const Request& request) {
-  const auto shard = parse_shard(request.shard, [](const char* name) { return std::getenv(name); });
+Expected<int> run_and_tell(const BatchArguments& arguments) {
+  const auto shard = parse_shard(arguments.shard, [](const char* name) { return std::getenv(name); });
   if (!shard) {
     return tl::unexpected(shard.error());
   }
-  const auto found = find_recordings(request.paths, std::cin);
+  const auto found = find_recordings(arguments.paths, std::cin);
   if (!found) {
     return tl::unexpected(found.error());
   }
-  if (auto checked =
-          check_outputs({request.common.json, file_of_store(request.store), request.report}, as_inputs(found->files));
+  if (auto checked = check_outputs({arguments.common.json, file_of_store(arguments.store), arguments.report},
+                                   as_inputs(found->files));
       !checked) {
     return tl::unexpected(checked.error());
   }
   // What the recordings refer to is known only once they are read.
   for (const auto& [output, kind] :
-       {std::pair(request.common.json, OutputKind::JsonFile), std::pair(request.report, OutputKind::Page)}) {
+       {std::pair(arguments.common.json, OutputKind::JsonFile), std::pair(arguments.report, OutputKind::Page)}) {
     if (auto checked = check_replaced(output, kind); !checked) {
       return tl::unexpected(checked.error());
     }
   }
   const std::vector<std::string> files = part_of(found->files, shard->index, shard->count);
-  auto store = Store::open(request.store, Database::Access::Write);
+  auto store = Store::open(arguments.store, Database::Access::Write);
   if (!store) {
     return tl::unexpected(store.error());
   }
   std::optional<Progress> progress;
-  if (!request.common.quiet) {
+  if (!arguments.common.quiet) {
     progress.emplace(stderr, files.size(), ::isatty(STDERR_FILENO) == 1);
   }
-  auto pages = pages_of(request);
-  BatchRequest asked = request.batch;
-  asked.options.anywhere = request.access.anywhere;
-  asked.options.limits = request.access.limits;
+  auto pages = pages_of(arguments);
+  BatchRequest asked = arguments.batch;
+  asked.options.anywhere = arguments.access.anywhere;
+  asked.options.limits = arguments.access.limits;
   asked.options.folders = found->folders;
   if (pages) {
     pages->begin();
@@ -116,15 +114,15 @@ Expected<int> run_and_tell(const Request& request) {
     return tl::unexpected(summary.error());
   }
   summary->note_unreadable(found->unreadable);
-  if (request.common.talks()) {
+  if (arguments.common.talks()) {
     fmt::print("{}", to_text(*summary, store->name()));
   } else if (summary->exit_code > 1) {
     fmt::print(stderr, "artcal: {}\n", failure_line(*summary));
   }
-  if (auto written = write_json(request.common.json, to_json(*summary, store->name())); !written) {
+  if (auto written = write_json(arguments.common.json, to_json(*summary, store->name())); !written) {
     return tl::unexpected(written.error());
   }
-  if (auto written = write_index(request, *store, files, *summary, asked.pages); !written) {
+  if (auto written = write_index(arguments, *store, files, *summary, asked.pages); !written) {
     return tl::unexpected(written.error());
   }
   if (summary->not_reached > 0) {
@@ -137,44 +135,45 @@ Expected<int> run_and_tell(const Request& request) {
 }  // namespace
 
 Run set_up_batch(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
+  auto arguments = std::make_shared<BatchArguments>();
   parser
-      .add_option("paths", request->paths,
+      .add_option("paths", arguments->paths,
                   "recordings, folders of them, patterns in quotes; - is a list on standard input")
       ->required()
       ->type_name("PATH…");
-  parser.add_option("--store", request->store, "file (SQLite) or postgresql://… to keep the results in")
+  parser.add_option("--store", arguments->store, "file (SQLite) or postgresql://… to keep the results in")
       ->required()
       ->type_name("STORE");
-  parser.add_flag("--resume", request->batch.resume, "leave alone what the store has a result of, by content");
+  parser.add_flag("--resume", arguments->batch.resume, "leave alone what the store has a result of, by content");
   parser
-      .add_option("--jobs,-j", request->batch.jobs, "recordings at once; 0: one a core. The store is the same with any")
+      .add_option("--jobs,-j", arguments->batch.jobs,
+                  "recordings at once; 0: one a core. The store is the same with any")
       ->check(CLI::Range(0, 1024));
-  parser.add_flag("--leave-out", request->batch.options.leave_out,
+  parser.add_flag("--leave-out", arguments->batch.options.leave_out,
                   "identify again without each placement, as identify does; takes several times as long");
-  parser.add_option("--shard", request->shard, "do the k-th of n parts; in a Slurm job array known by itself")
+  parser.add_option("--shard", arguments->shard, "do the k-th of n parts; in a Slurm job array known by itself")
       ->type_name("K/N");
   parser
-      .add_option("--report", request->report,
+      .add_option("--report", arguments->report,
                   "write a page that lists these recordings and what they came to, and beside it, in FILE-reports, a "
                   "page of each")
       ->type_name("FILE.html");
   parser
-      .add_option("--report-pages", request->report_pages,
+      .add_option("--report-pages", arguments->report_pages,
                   "the pages' plots: shared, one file for all of the folder; self-contained, 1.8 MB in each, to be "
                   "sent alone; none, no pages")
       ->check(CLI::IsMember({"shared", "self-contained", "none"}))
       ->needs(parser.get_option("--report"))
       ->capture_default_str();
-  request->access.add_to(parser);
-  request->common.add_to(parser);
+  arguments->access.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer(
       "Each recording is identified, verified or both, as its file asks. The exit code is 0 where all went well, 1 "
       "where\n"
       "conformity was not shown, 3 where a recording was refused, 4 where one had no solution.\n"
       "Example:\n  artcal batch examples --store results.sqlite --resume");
-  return [request] {
-    const auto done = run_and_tell(*request);
+  return [arguments] {
+    const auto done = run_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

@@ -11,6 +11,10 @@
 
 namespace artcal {
 
+/// Exit codes of commands that did what they were asked, but found mistakes or were stopped.
+inline constexpr int mistakes_found = 1;
+inline constexpr int interrupted = 130;  ///< as shells have it: 128 + SIGINT
+
 /// Runs a command whose options have been parsed; returns the exit code (core/error.h, 0 when done).
 using Run = std::function<int()>;
 

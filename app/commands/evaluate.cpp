@@ -19,7 +19,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct EvaluateArguments {
   CommonOptions common;
   RecordingRequest recording;
   std::string arm;
@@ -64,15 +64,15 @@ Expected<Recording> with_arm(const std::string& path, Recording recording) {
   return recording;
 }
 
-Expected<int> evaluate_and_tell(const Request& request) {
-  auto bound = request.recording.read()
-                   .and_then([&](Recording&& recording) { return with_arm(request.arm, std::move(recording)); })
-                   .and_then([&](Recording&& recording) { return request.recording.bind(std::move(recording)); });
+Expected<int> evaluate_and_tell(const EvaluateArguments& arguments) {
+  auto bound = arguments.recording.read()
+                   .and_then([&](Recording&& recording) { return with_arm(arguments.arm, std::move(recording)); })
+                   .and_then([&](Recording&& recording) { return arguments.recording.bind(std::move(recording)); });
   if (!bound) {
     return tl::unexpected(bound.error());
   }
   auto& [recording, constraints] = *bound;
-  if (auto checked = request.recording.check_outputs({request.common.json}, recording); !checked) {
+  if (auto checked = arguments.recording.check_outputs({arguments.common.json}, recording); !checked) {
     return tl::unexpected(checked.error());
   }
   recording.warnings.insert(recording.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
@@ -83,25 +83,25 @@ Expected<int> evaluate_and_tell(const Request& request) {
   if (!evaluation) {
     return tl::unexpected(with_warnings(evaluation.error(), recording.warnings));
   }
-  return request.common.tell(to_json(recording, constraints, *evaluation),
-                             to_text(recording, constraints, *evaluation, recording.warnings));
+  return arguments.common.tell(to_json(recording, constraints, *evaluation),
+                               to_text(recording, constraints, *evaluation, recording.warnings));
 }
 
 }  // namespace
 
 Run set_up_evaluate(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  request->recording.add_path_to(parser);
-  parser.add_option("--arm", request->arm, "the arm to evaluate, such as an identified one; else the recording's")
+  auto arguments = std::make_shared<EvaluateArguments>();
+  arguments->recording.add_path_to(parser);
+  parser.add_option("--arm", arguments->arm, "the arm to evaluate, such as an identified one; else the recording's")
       ->type_name("ARM");
-  request->recording.options.add_to(parser);
-  request->common.add_to(parser);
+  arguments->recording.options.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer(
       "The arm is not changed. Where it was not identified from these readings, new ones are expected to deviate as "
       "much.\n"
       "Example:\n  artcal evaluate examples/ball-bar/recording.toml --arm examples/ball-bar/arm.toml");
-  return [request] {
-    const auto done = evaluate_and_tell(*request);
+  return [arguments] {
+    const auto done = evaluate_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

@@ -1,7 +1,7 @@
-#include <chrono>
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/stopwatch.h"
 #include "app/output/output.h"
 #include "app/requests/memory_option.h"
 #include "app/requests/points/cloud_columns.h"
@@ -11,7 +11,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct FitArguments {
   CommonOptions common;
   std::string points, rows;
   std::vector<int> columns;
@@ -19,16 +19,12 @@ struct Request {
   FitWords words;
 };
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-Expected<PointCloud> read_points(const Request& request, FitReport& report) {
-  const auto columns = cloud_columns(request.columns);
+Expected<PointCloud> read_points(const FitArguments& arguments, FitReport& report) {
+  const auto columns = cloud_columns(arguments.columns);
   if (!columns) {
     return tl::unexpected(columns.error());
   }
-  auto read = read_cloud(request.points, {report.request.unit_factor, {}}, *columns, request.limits);
+  auto read = read_cloud(arguments.points, {report.request.unit_factor, {}}, *columns, arguments.limits);
   if (!read) {
     return tl::unexpected(read.error());
   }
@@ -38,42 +34,43 @@ Expected<PointCloud> read_points(const Request& request, FitReport& report) {
   report.records = cloud->rows.size() + cloud->dropped;
   report.dropped = cloud->dropped;
   report.warnings = cloud->warnings;
-  return request.rows.empty() ? cloud : take_rows(*cloud, request.rows, report.inputs);
+  return arguments.rows.empty() ? cloud : take_rows(*cloud, arguments.rows, report.inputs);
 }
 
-Expected<int> fit_and_tell(const Request& request) {
-  const auto start = Clock::now();
+Expected<int> fit_and_tell(const FitArguments& arguments) {
+  const Stopwatch watch;
   FitReport report;
-  auto understood = parse(request.words);
+  auto understood = parse(arguments.words);
   if (!understood) {
     return tl::unexpected(understood.error());
   }
   report.request = std::move(*understood);
-  const auto cloud = read_points(request, report);
+  const auto cloud = read_points(arguments, report);
   if (!cloud) {
     return tl::unexpected(cloud.error());
   }
-  if (auto checked = check_outputs({request.common.json}, report.inputs); !checked) {
+  if (auto checked = check_outputs({arguments.common.json}, report.inputs); !checked) {
     return tl::unexpected(checked.error());
   }
-  report.reading_seconds = seconds_since(start);
+  report.reading_seconds = watch.seconds();
   auto fitted = fit_feature(*cloud, report.request);
   if (!fitted) {
     return tl::unexpected(fitted.error());
   }
   report.fit = std::move(*fitted);
-  report.fitting_seconds = seconds_since(start) - report.reading_seconds;
+  report.fitting_seconds = watch.seconds() - report.reading_seconds;
   report.warnings.insert(report.warnings.end(), report.fit.warnings.begin(), report.fit.warnings.end());
   // Outliers may be many: only for who asks for them.
-  return request.common.tell(request.common.json.empty() ? nlohmann::ordered_json() : to_json(report), to_text(report));
+  return arguments.common.tell(arguments.common.json.empty() ? nlohmann::ordered_json() : to_json(report),
+                               to_text(report));
 }
 
 }  // namespace
 
 Run set_up_fit(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  FitWords& words = request->words;
-  parser.add_option("points", request->points, "PCD, PLY, PTX, OBJ, STL or a table of x y z as text")
+  auto arguments = std::make_shared<FitArguments>();
+  FitWords& words = arguments->words;
+  parser.add_option("points", arguments->points, "PCD, PLY, PTX, OBJ, STL or a table of x y z as text")
       ->required()
       ->type_name("POINTS");
   parser.add_option("--shape", words.shape, "what the points lie on")->required()->check(CLI::IsMember(shape_names()));
@@ -91,16 +88,16 @@ Run set_up_fit(CLI::App& parser) {
   parser.add_flag("--spatial", words.spatial, "circle: distances to the curve in space, not first onto its plane");
   parser.add_option("--noise", words.noise, "noise of a point, such as \"15 um\"; else estimated");
   parser.add_flag("--robust", words.robust, "find outliers, list them, fit the rest");
-  add_columns_option(parser, request->columns);
-  parser.add_option("--rows", request->rows, "fit only the rows (from 0) that this file lists, one a line")
+  add_columns_option(parser, arguments->columns);
+  parser.add_option("--rows", arguments->rows, "fit only the rows (from 0) that this file lists, one a line")
       ->type_name("FILE");
-  request->common.add_to(parser);
-  add_max_memory(parser, request->limits);
+  arguments->common.add_to(parser);
+  add_max_memory(parser, arguments->limits);
   parser.footer(
       "Example:\n  artcal fit examples/points/ball.xyz --shape sphere --unit mm --json ball.json\n"
       "  artcal fit examples/points/ball-scan.pcd --shape sphere --unit m --diameter 25.4mm --robust");
-  return [request] {
-    const auto done = fit_and_tell(*request);
+  return [arguments] {
+    const auto done = fit_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

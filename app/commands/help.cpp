@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct HelpArguments {
   std::vector<std::string> command;
   bool manual = false;
   std::string shell;
@@ -33,9 +33,9 @@ Expected<CommandDescription> command_named(const CLI::App& program, const std::v
   return describe(*at);
 }
 
-Expected<int> tell_help(const CLI::App& program, const Request& request) {
-  return command_named(program, request.command).map([&](const CommandDescription& command) {
-    fmt::print("{}", request.manual ? manual_page(command, program_version) : help_text(command));
+Expected<int> tell_help(const CLI::App& program, const HelpArguments& arguments) {
+  return command_named(program, arguments.command).map([&](const CommandDescription& command) {
+    fmt::print("{}", arguments.manual ? manual_page(command, program_version) : help_text(command));
     return 0;
   });
 }
@@ -51,20 +51,20 @@ int tell_completion(const CLI::App& program, const std::string& shell) {
 }  // namespace
 
 Run set_up_help(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("command", request->command, "the command to describe; without it the program")
+  auto arguments = std::make_shared<HelpArguments>();
+  parser.add_option("command", arguments->command, "the command to describe; without it the program")
       ->type_name("COMMAND");
-  parser.add_flag("--man", request->manual, "write the manual page (roff) instead");
+  parser.add_flag("--man", arguments->manual, "write the manual page (roff) instead");
   parser.footer("Examples:\n  artcal help identify\n  artcal help store merge\n  artcal help --man identify");
-  return [request, program = parser.get_parent()] {
-    const auto done = tell_help(*program, *request);
+  return [arguments, program = parser.get_parent()] {
+    const auto done = tell_help(*program, *arguments);
     return done ? *done : report_error(done.error());
   };
 }
 
 Run set_up_completion(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("shell", request->shell, "the shell to write for")
+  auto arguments = std::make_shared<HelpArguments>();
+  parser.add_option("shell", arguments->shell, "the shell to write for")
       ->required()
       ->type_name("SHELL")
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
@@ -72,7 +72,7 @@ Run set_up_completion(CLI::App& parser) {
       "The Debian package installs these scripts. Without it, load one in the shell's start file.\n"
       "Examples:\n  artcal completion bash > ~/.local/share/bash-completion/completions/artcal\n"
       "  artcal completion fish > ~/.config/fish/completions/artcal.fish");
-  return [request, program = parser.get_parent()] { return tell_completion(*program, request->shell); };
+  return [arguments, program = parser.get_parent()] { return tell_completion(*program, arguments->shell); };
 }
 
 }  // namespace artcal

@@ -19,7 +19,6 @@
 namespace artcal {
 namespace {
 
-constexpr int interrupted = 130;  // as shells have it: 128 + SIGINT
 constexpr std::chrono::seconds between_states{30};
 
 /// What trials are made of. Where it is stays, for a MonteCarlo refers to it.

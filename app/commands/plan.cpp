@@ -24,7 +24,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct PlanArguments {
   CommonOptions common;
   RecordingOptions access;
   std::string input;
@@ -43,15 +43,15 @@ struct Possible {
   std::vector<InputFile> inputs;
 };
 
-Expected<Possible> possible_of_arm(const Request& request) {
-  if (request.artefact.empty()) {
+Expected<Possible> possible_of_arm(const PlanArguments& arguments) {
+  if (arguments.artefact.empty()) {
     return wrong_usage("this is an arm; say what is to be read with it: --artefact artefact.toml");
   }
-  auto arm = read_arm_file(request.input);
+  auto arm = read_arm_file(arguments.input);
   if (!arm) {
     return tl::unexpected(arm.error());
   }
-  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
+  auto artefact = read_artefact_file(arguments.artefact, arguments.access.of(arguments.artefact));
   if (!artefact) {
     return tl::unexpected(artefact.error());
   }
@@ -59,15 +59,15 @@ Expected<Possible> possible_of_arm(const Request& request) {
   if (artefact->certificate) {
     inputs.push_back(*artefact->certificate);
   }
-  return Possible{possible_session(arm->arm, artefact->artefact, request.possible), std::move(inputs)};
+  return Possible{possible_session(arm->arm, artefact->artefact, arguments.possible), std::move(inputs)};
 }
 
 // The placements and probings of a plan.toml, its true arm and noise forgotten.
-Expected<Possible> possible_of_plan(const Request& request) {
-  if (!request.artefact.empty()) {
+Expected<Possible> possible_of_plan(const PlanArguments& arguments) {
+  if (!arguments.artefact.empty()) {
     return wrong_usage("--artefact is for an arm alone; this plan names its artefacts itself");
   }
-  auto file = read_plan_file(request.input, request.access.of(request.input));
+  auto file = read_plan_file(arguments.input, arguments.access.of(arguments.input));
   if (!file) {
     return tl::unexpected(file.error());
   }
@@ -85,27 +85,27 @@ Expected<Possible> possible_of_plan(const Request& request) {
   return Possible{std::move(plan), file->inputs};
 }
 
-Expected<Possible> possible_of(const Request& request) {
-  const auto file = read_text_file(request.input, largest::toml);
+Expected<Possible> possible_of(const PlanArguments& arguments) {
+  const auto file = read_text_file(arguments.input, largest::toml);
   if (!file) {
     return tl::unexpected(file.error());
   }
   if (schema_of(*file).starts_with("artcal-arm/")) {
-    return possible_of_arm(request);
+    return possible_of_arm(arguments);
   }
   // Before anything is said of options: it may be no plan at all.
   if (const auto document = TomlDocument::parse(*file, "artcal-plan/1"); !document) {
     return tl::unexpected(document.error());
   }
-  return possible_of_plan(request);
+  return possible_of_plan(arguments);
 }
 
-Expected<Noise> noise_of(const Request& request) {
-  const auto encoder = stated_angle_noise(request.encoder_noise, "--encoder-noise");
+Expected<Noise> noise_of(const PlanArguments& arguments) {
+  const auto encoder = stated_angle_noise(arguments.encoder_noise, "--encoder-noise");
   if (!encoder) {
     return tl::unexpected(encoder.error());
   }
-  const auto probing = stated_length_noise(request.probing_noise, "--probing-noise");
+  const auto probing = stated_length_noise(arguments.probing_noise, "--probing-noise");
   if (!probing) {
     return tl::unexpected(probing.error());
   }
@@ -116,11 +116,11 @@ Expected<Noise> noise_of(const Request& request) {
 }
 
 // Readings that are there already.
-Expected<std::optional<BoundRecording>> measured_of(const Request& request, const Arm& arm) {
-  if (request.measured.empty()) {
+Expected<std::optional<BoundRecording>> measured_of(const PlanArguments& arguments, const Arm& arm) {
+  if (arguments.measured.empty()) {
     return std::nullopt;
   }
-  const RecordingRequest measured{request.measured, request.access};
+  const RecordingRequest measured{arguments.measured, arguments.access};
   auto recording = measured.read();
   if (!recording) {
     return tl::unexpected(recording.error());
@@ -134,25 +134,25 @@ Expected<std::optional<BoundRecording>> measured_of(const Request& request, cons
         fmt::format("these readings were taken with the arm {}, which is not built like the arm {} that is "
                     "to be planned for",
                     in_quotes(recording->arm.name), in_quotes(arm.name)),
-        request.measured);
+        arguments.measured);
   }
   return measured.bind(std::move(*recording)).map([](BoundRecording&& bound) {
     return std::optional(std::move(bound));
   });
 }
 
-Expected<int> plan_and_tell(const Request& request) {
-  auto possible = possible_of(request);
+Expected<int> plan_and_tell(const PlanArguments& arguments) {
+  auto possible = possible_of(arguments);
   if (!possible) {
     return tl::unexpected(possible.error());
   }
-  PlanningOptions options = request.options;
-  const auto noise = noise_of(request);
+  PlanningOptions options = arguments.options;
+  const auto noise = noise_of(arguments);
   if (!noise) {
     return tl::unexpected(noise.error());
   }
   options.noise = *noise;
-  const auto measured = measured_of(request, possible->plan.nominal);
+  const auto measured = measured_of(arguments, possible->plan.nominal);
   if (!measured) {
     return tl::unexpected(measured.error());
   }
@@ -162,13 +162,13 @@ Expected<int> plan_and_tell(const Request& request) {
     inputs.insert(inputs.end(), more.begin(), more.end());
   }
   std::vector<InputFile> to_be_kept =
-      *measured ? referenced_files((*measured)->recording, request.access.of(request.measured))
+      *measured ? referenced_files((*measured)->recording, arguments.access.of(arguments.measured))
                 : std::vector<InputFile>{};
   to_be_kept.insert(to_be_kept.end(), inputs.begin(), inputs.end());
-  if (auto checked = check_outputs({request.common.json, request.table, request.picture}, to_be_kept); !checked) {
+  if (auto checked = check_outputs({arguments.common.json, arguments.table, arguments.picture}, to_be_kept); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (auto stable = request.stand.add_to(possible->plan.stand); !stable) {
+  if (auto stable = arguments.stand.add_to(possible->plan.stand); !stable) {
     return tl::unexpected(stable.error());
   }
   const auto simulation = simulate(possible->plan);
@@ -191,61 +191,65 @@ Expected<int> plan_and_tell(const Request& request) {
   const PlanResult result{possible->plan, *simulation,
                           *planning,      options,
                           inputs,         *measured ? static_cast<int>((*measured)->recording.readings.size()) : 0};
-  for (const auto& [path, text] : {std::pair(request.table, to_csv(result)), {request.picture, to_picture(result)}}) {
+  for (const auto& [path, text] :
+       {std::pair(arguments.table, to_csv(result)), {arguments.picture, to_picture(result)}}) {
     if (auto written = path.empty() ? Expected<void>{} : write_file(path, text); !written) {
       return tl::unexpected(written.error());
     }
   }
-  return request.common.tell(to_json(result), to_text(result));
+  return arguments.common.tell(to_json(result), to_text(result));
 }
 
 }  // namespace
 
 Run set_up_plan(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
+  auto arguments = std::make_shared<PlanArguments>();
   parser
-      .add_option("input", request->input,
+      .add_option("input", arguments->input,
                   "the arm (identified or nominal), or plan.toml with the placements that are possible")
       ->required()
       ->type_name("ARM|PLAN");
-  parser.add_option("--artefact", request->artefact, "artefact.toml, for an arm")->type_name("FILE");
-  parser.add_option("--placements", request->options.placements, "how many to choose")->check(CLI::Range(1, 1000));
-  parser.add_option("--readings", request->options.readings, "of each feature in each of them")
+  parser.add_option("--artefact", arguments->artefact, "artefact.toml, for an arm")->type_name("FILE");
+  parser.add_option("--placements", arguments->options.placements, "how many to choose")->check(CLI::Range(1, 1000));
+  parser.add_option("--readings", arguments->options.readings, "of each feature in each of them")
       ->check(CLI::Range(1, 10'000));
-  parser.add_option("--measured", request->measured, "recording.toml with readings that are there already")
+  parser.add_option("--measured", arguments->measured, "recording.toml with readings that are there already")
       ->type_name("RECORDING");
-  parser.add_option("--encoder-noise", request->encoder_noise, "noise of each joint, such as \"2 arcsec\"")->required();
+  parser.add_option("--encoder-noise", arguments->encoder_noise, "noise of each joint, such as \"2 arcsec\"")
+      ->required();
   parser
-      .add_option("--probing-noise", request->probing_noise,
+      .add_option("--probing-noise", arguments->probing_noise,
                   "noise of the tip's coordinates beside the joints', such as \"3 um\"")
       ->required();
   const std::map<std::string, Goal> goals{{"worst", Goal::Worst}, {"mean", Goal::Mean}};
-  parser.add_option("--goal", request->options.goal, "the u of lengths to lower")
+  parser.add_option("--goal", arguments->options.goal, "the u of lengths to lower")
       ->transform(named_values(goals))
       ->type_name("GOAL")
       ->default_str("worst");
   parser
-      .add_option("--possible", request->possible.placements, "for an arm: placements to choose from, drawn at random")
+      .add_option("--possible", arguments->possible.placements,
+                  "for an arm: placements to choose from, drawn at random")
       ->check(CLI::Range(1, 5000));
-  parser.add_option("--postures", request->possible.readings, "for an arm: possible readings of each feature in each")
-      ->check(CLI::Range(1, 10'000));
-  request->stand.add_to(parser);
   parser
-      .add_option("-o,--output", request->table,
+      .add_option("--postures", arguments->possible.readings, "for an arm: possible readings of each feature in each")
+      ->check(CLI::Range(1, 10'000));
+  arguments->stand.add_to(parser);
+  parser
+      .add_option("-o,--output", arguments->table,
                   "table of the readings to take: joint angles, and how the artefact stands (position and turn as in "
                   "plan.toml)")
       ->type_name("CSV");
-  parser.add_option("--picture", request->picture, "the placements proposed, as SVG")->type_name("SVG");
-  parser.add_option("--starts", request->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
-  parser.add_option("--seed", request->options.seed, "of all that is drawn");
-  request->access.add_to(parser);
-  request->common.add_to(parser);
+  parser.add_option("--picture", arguments->picture, "the placements proposed, as SVG")->type_name("SVG");
+  parser.add_option("--starts", arguments->options.starts, "random starts of the exchange")->check(CLI::Range(1, 1000));
+  parser.add_option("--seed", arguments->options.seed, "of all that is drawn");
+  arguments->access.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal plan examples/ball-bar/arm.toml --artefact examples/ball-bar/bar.toml --placements 4\\\n"
       "    --encoder-noise \"2 arcsec\" --probing-noise \"3 um\" --floor \"-700 mm\" --picture plan.svg");
-  return [request] {
-    request->possible.seed = request->options.seed;
-    const auto done = plan_and_tell(*request);
+  return [arguments] {
+    arguments->possible.seed = arguments->options.seed;
+    const auto done = plan_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

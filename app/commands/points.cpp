@@ -17,7 +17,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct PointsArguments {
   CommonOptions common;
   RecordingRequest recording;
   std::string arm, output = "-";
@@ -67,15 +67,15 @@ Expected<Recording> read_with_scans(const RecordingRequest& request) {
   });
 }
 
-Expected<int> write_points(const Request& request) {
-  auto recording = read_with_scans(request.recording);
+Expected<int> write_points(const PointsArguments& arguments) {
+  auto recording = read_with_scans(arguments.recording);
   if (!recording) {
     return tl::unexpected(recording.error());
   }
   std::optional<Arm> arm;
   std::optional<ArmIdentification> identification;
-  if (!request.arm.empty()) {
-    auto file = read_arm_file(request.arm);
+  if (!arguments.arm.empty()) {
+    auto file = read_arm_file(arguments.arm);
     if (!file) {
       return tl::unexpected(file.error());
     }
@@ -83,7 +83,8 @@ Expected<int> write_points(const Request& request) {
     arm = std::move(file->arm);
     identification = std::move(file->identification);
   }
-  if (auto checked = request.recording.check_outputs({request.output, request.common.json}, *recording); !checked) {
+  if (auto checked = arguments.recording.check_outputs({arguments.output, arguments.common.json}, *recording);
+      !checked) {
     return tl::unexpected(checked.error());
   }
   const auto tips = tip_centres(*recording, arm ? *arm : recording->arm, identification ? &*identification : nullptr);
@@ -91,23 +92,23 @@ Expected<int> write_points(const Request& request) {
     return tl::unexpected(with_warnings(tips.error(), recording->warnings));
   }
   const std::string& name = arm ? arm->name : recording->arm.name;
-  if (auto written = write_json(request.common.json, points_json(*recording, *tips, name)); !written) {
+  if (auto written = write_json(arguments.common.json, points_json(*recording, *tips, name)); !written) {
     return tl::unexpected(written.error());
   }
   const std::string text = points_text(*recording, *tips);
-  if (request.output == "-") {
-    if (request.common.talks()) {
+  if (arguments.output == "-") {
+    if (arguments.common.talks()) {
       fmt::print(stderr, "{}", warning_lines(recording->warnings));
       fmt::print("{}", text);
     }
     return 0;
   }
-  if (auto written = write_file(request.output, text); !written) {
+  if (auto written = write_file(arguments.output, text); !written) {
     return tl::unexpected(written.error());
   }
-  if (request.common.talks()) {
+  if (arguments.common.talks()) {
     fmt::print("{} points are in {}, in mm in the base frame of the arm \"{}\".\n{}", recording->readings.size(),
-               request.output, name, warning_lines(recording->warnings));
+               arguments.output, name, warning_lines(recording->warnings));
   }
   return 0;
 }
@@ -115,17 +116,18 @@ Expected<int> write_points(const Request& request) {
 }  // namespace
 
 Run set_up_points(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  request->recording.add_path_to(parser);
-  parser.add_option("--arm", request->arm, "the arm to compute with, such as an identified one; else the recording's")
+  auto arguments = std::make_shared<PointsArguments>();
+  arguments->recording.add_path_to(parser);
+  parser
+      .add_option("--arm", arguments->arm, "the arm to compute with, such as an identified one; else the recording's")
       ->type_name("ARM");
-  parser.add_option("-o,--output", request->output, "CSV of the tip's centres; - is standard output")
+  parser.add_option("-o,--output", arguments->output, "CSV of the tip's centres; - is standard output")
       ->type_name("FILE");
-  request->recording.options.add_to(parser);
-  request->common.add_to(parser);
+  arguments->recording.options.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer("Example:\n  artcal points examples/ball-bar/recording.toml -o points.csv");
-  return [request] {
-    const auto done = write_points(*request);
+  return [arguments] {
+    const auto done = write_points(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

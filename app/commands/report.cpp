@@ -9,7 +9,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct ReportArguments {
   std::vector<std::string> results;
   std::string page;
   bool quiet = false;
@@ -28,10 +28,10 @@ std::vector<InputFile> files_named_in(const ReportedResult& result) {
   return files;
 }
 
-Expected<int> report_and_tell(const Request& request) {
+Expected<int> report_and_tell(const ReportArguments& arguments) {
   std::vector<InputFile> inputs;
   std::vector<ReportedResult> results;
-  for (const std::string& path : request.results) {
+  for (const std::string& path : arguments.results) {
     auto result = read_result(path, inputs);
     if (!result) {
       return tl::unexpected(result.error());
@@ -42,18 +42,18 @@ Expected<int> report_and_tell(const Request& request) {
     const auto rests_on = files_named_in(result);
     inputs.insert(inputs.end(), rests_on.begin(), rests_on.end());
   }
-  if (auto checked = check_outputs({request.page}, inputs); !checked) {
+  if (auto checked = check_outputs({arguments.page}, inputs); !checked) {
     return tl::unexpected(checked.error());
   }
   const auto page = report_html(results);
   if (!page) {
     return tl::unexpected(page.error());
   }
-  if (auto written = write_file(request.page, *page); !written) {
+  if (auto written = write_file(arguments.page, *page); !written) {
     return tl::unexpected(written.error());
   }
-  if (!request.quiet) {
-    fmt::print("The report is in {}.\n", request.page);
+  if (!arguments.quiet) {
+    fmt::print("The report is in {}.\n", arguments.page);
   }
   return 0;
 }
@@ -61,17 +61,17 @@ Expected<int> report_and_tell(const Request& request) {
 }  // namespace
 
 Run set_up_report(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("results", request->results, "results as --json writes them, all of one arm")
+  auto arguments = std::make_shared<ReportArguments>();
+  parser.add_option("results", arguments->results, "results as --json writes them, all of one arm")
       ->required()
       ->type_name("RESULT");
-  parser.add_option("-o,--output", request->page, "the page to write")->required()->type_name("FILE.html");
-  parser.add_flag("--quiet,-q", request->quiet, "print nothing but errors");
+  parser.add_option("-o,--output", arguments->page, "the page to write")->required()->type_name("FILE.html");
+  parser.add_flag("--quiet,-q", arguments->quiet, "print nothing but errors");
   parser.footer(
       "Example:\n  artcal identify examples/two-socket-bar/recording.toml --json result.json\n"
       "  artcal report result.json -o report.html");
-  return [request] {
-    const auto done = report_and_tell(*request);
+  return [arguments] {
+    const auto done = report_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

@@ -18,7 +18,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct SegmentArguments {
   CommonOptions common;
   AccessOption access;
   std::string scan, artefact, unit;
@@ -66,19 +66,19 @@ Expected<PlaceHint> hint_of(const std::string& text, const SegmentResult& result
   return hint;
 }
 
-Expected<SegmentOptions> segment_options_of(const Request& request, const SegmentResult& result) {
+Expected<SegmentOptions> segment_options_of(const SegmentArguments& arguments, const SegmentResult& result) {
   SegmentOptions options;
-  options.fixed_radius = request.radius == "fixed";
-  if (!request.tolerance.empty()) {
-    options.tolerance = length_quantity(request.tolerance);
+  options.fixed_radius = arguments.radius == "fixed";
+  if (!arguments.tolerance.empty()) {
+    options.tolerance = length_quantity(arguments.tolerance);
     if (!options.tolerance || *options.tolerance <= 0.0) {
       return wrong_usage("a tolerance is a number above zero with its unit, such as --tolerance \"0.5 mm\"");
     }
   }
-  if (!request.places.empty() && result.wanted.spheres.empty()) {
+  if (!arguments.places.empty() && result.wanted.spheres.empty()) {
     return wrong_usage("--place names a sphere, but the artefact has none");
   }
-  for (const std::string& place : request.places) {
+  for (const std::string& place : arguments.places) {
     auto hint = hint_of(place, result);
     if (!hint) {
       return tl::unexpected(hint.error());
@@ -88,39 +88,39 @@ Expected<SegmentOptions> segment_options_of(const Request& request, const Segmen
   return options;
 }
 
-Expected<int> segment_and_tell(const Request& request) {
+Expected<int> segment_and_tell(const SegmentArguments& arguments) {
   SegmentResult result;
-  const auto unit = length_unit(request.unit);
+  const auto unit = length_unit(arguments.unit);
   if (!unit) {
-    return wrong_usage(fmt::format("--unit {}: expected mm, um, m or in", in_quotes(request.unit)));
+    return wrong_usage(fmt::format("--unit {}: expected mm, um, m or in", in_quotes(arguments.unit)));
   }
-  result.unit = request.unit;
+  result.unit = arguments.unit;
   result.unit_in_mm = *unit;
   constexpr double absolute_zero = -273.15;
-  if (request.temperature && !(*request.temperature > absolute_zero && *request.temperature < 1e4)) {
+  if (arguments.temperature && !(*arguments.temperature > absolute_zero && *arguments.temperature < 1e4)) {
     return wrong_usage("--temperature: expected the artefact's temperature in degC, such as 20.5");
   }
-  auto artefact = read_artefact_file(request.artefact, request.access.of(request.artefact));
+  auto artefact = read_artefact_file(arguments.artefact, arguments.access.of(arguments.artefact));
   if (!artefact) {
     return tl::unexpected(artefact.error());
   }
   result.artefact = std::move(artefact->artefact);
-  result.temperature = request.temperature.value_or(result.artefact.reference_temperature);
+  result.temperature = arguments.temperature.value_or(result.artefact.reference_temperature);
   auto wanted = scan_contents(result.artefact, result.temperature);
   if (!wanted) {
-    return bad_input(wanted.error().message, request.artefact);
+    return bad_input(wanted.error().message, arguments.artefact);
   }
   result.wanted = std::move(*wanted);
-  auto options = segment_options_of(request, result);
+  auto options = segment_options_of(arguments, result);
   if (!options) {
     return tl::unexpected(options.error());
   }
   result.options = std::move(*options);
-  const auto columns = cloud_columns(request.columns);
+  const auto columns = cloud_columns(arguments.columns);
   if (!columns) {
     return tl::unexpected(columns.error());
   }
-  auto read = read_cloud(request.scan, {*unit, std::nullopt}, *columns, request.limits);
+  auto read = read_cloud(arguments.scan, {*unit, std::nullopt}, *columns, arguments.limits);
   if (!read) {
     return tl::unexpected(read.error());
   }
@@ -130,7 +130,7 @@ Expected<int> segment_and_tell(const Request& request) {
   if (artefact->certificate) {
     result.inputs.push_back(*artefact->certificate);
   }
-  if (auto checked = check_outputs({request.common.json}, result.inputs); !checked) {
+  if (auto checked = check_outputs({arguments.common.json}, result.inputs); !checked) {
     return tl::unexpected(checked.error());
   }
   result.points = static_cast<std::size_t>(cloud->points.cols());
@@ -148,36 +148,39 @@ Expected<int> segment_and_tell(const Request& request) {
     return no_solution(refusal_text(result));
   }
   // The rows of millions of points: only for who asks for them.
-  return request.common.tell(request.common.json.empty() ? nlohmann::ordered_json() : to_json(result), to_text(result));
+  return arguments.common.tell(arguments.common.json.empty() ? nlohmann::ordered_json() : to_json(result),
+                               to_text(result));
 }
 
 }  // namespace
 
 Run set_up_segment(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("scan", request->scan, "PCD, PLY, PTX, OBJ, STL or text of x, y, z")->required()->type_name("SCAN");
-  parser.add_option("--artefact", request->artefact, "artefact.toml: the artefact that was scanned")
+  auto arguments = std::make_shared<SegmentArguments>();
+  parser.add_option("scan", arguments->scan, "PCD, PLY, PTX, OBJ, STL or text of x, y, z")
+      ->required()
+      ->type_name("SCAN");
+  parser.add_option("--artefact", arguments->artefact, "artefact.toml: the artefact that was scanned")
       ->required()
       ->type_name("FILE");
-  parser.add_option("--unit", request->unit, "of the scan's coordinates: mm, um, m or in")
+  parser.add_option("--unit", arguments->unit, "of the scan's coordinates: mm, um, m or in")
       ->required()
       ->type_name("UNIT");
-  parser.add_option("--temperature", request->temperature, "of the artefact, in degC; else the certificate's");
-  parser.add_option("--tolerance", request->tolerance,
+  parser.add_option("--temperature", arguments->temperature, "of the artefact, in degC; else the certificate's");
+  parser.add_option("--tolerance", arguments->tolerance,
                     "of distances between spheres, such as \"0.5 mm\"; else a tenth of the radius");
-  parser.add_option("--radius", request->radius, "of the fitted spheres: the certified one, or what the points show")
+  parser.add_option("--radius", arguments->radius, "of the fitted spheres: the certified one, or what the points show")
       ->check(CLI::IsMember({"fixed", "free"}));
-  parser.add_option("--place", request->places, "which sphere is which, where distances do not show it: NAME=x,y,z")
+  parser.add_option("--place", arguments->places, "which sphere is which, where distances do not show it: NAME=x,y,z")
       ->type_name("PLACE");
-  add_columns_option(parser, request->columns);
-  request->access.add_to(parser);
-  request->common.add_to(parser);
-  add_max_memory(parser, request->limits);
+  add_columns_option(parser, arguments->columns);
+  arguments->access.add_to(parser);
+  arguments->common.add_to(parser);
+  add_max_memory(parser, arguments->limits);
   parser.footer(
       "Example:\n  artcal segment examples/ball-bar-scan/scan.xyz --unit mm\\\n"
       "    --artefact examples/ball-bar-scan/bar.toml");
-  return [request] {
-    const auto done = segment_and_tell(*request);
+  return [arguments] {
+    const auto done = segment_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

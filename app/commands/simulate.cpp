@@ -33,7 +33,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct SimulateArguments {
   CommonOptions common;
   AccessOption access;
   std::string plan;
@@ -187,7 +187,7 @@ std::string dilution_text(const SimulationPlan& plan) {
   return text;
 }
 
-std::string summary(const PlanFile& file, const Simulation& simulation, const Request& request) {
+std::string summary(const PlanFile& file, const Simulation& simulation, const SimulateArguments& arguments) {
   const SimulationPlan& plan = file.plan;
   std::string text = fmt::format("{}\narm \"{}\": {} simulated readings, {} placements, seed {}\n\n",
                                  truncated(200, plan.name), truncated(80, plan.nominal.name),
@@ -204,39 +204,39 @@ std::string summary(const PlanFile& file, const Simulation& simulation, const Re
       break;
     }
   }
-  const std::string folder = request.folder.ends_with('/') ? request.folder : request.folder + "/";
+  const std::string folder = arguments.folder.ends_with('/') ? arguments.folder : arguments.folder + "/";
   return text + table.text() + dilution_text(plan) +
          fmt::format("\nThe recording is {}recording.toml; the truth is in truth-arm.toml and truth.json beside it.\n",
                      folder);
 }
 
-Expected<int> simulate_and_write(const Request& request) {
-  auto file = read_plan_file(request.plan, request.access.of(request.plan));
+Expected<int> simulate_and_write(const SimulateArguments& arguments) {
+  auto file = read_plan_file(arguments.plan, arguments.access.of(arguments.plan));
   if (!file) {
     return tl::unexpected(file.error());
   }
-  file->plan.seed = request.seed.value_or(file->plan.seed);
+  file->plan.seed = arguments.seed.value_or(file->plan.seed);
   auto copies = copies_of(*file);
   if (!copies) {
     return tl::unexpected(copies.error());
   }
   FolderFiles& files = copies->files;
-  if (auto checked = check_outputs({request.common.json}, file->inputs); !checked) {
+  if (auto checked = check_outputs({arguments.common.json}, file->inputs); !checked) {
     return tl::unexpected(checked.error());
   }
   FolderFiles all = files;
   for (const std::string& name : made_names(file->plan)) {
     all.emplace_back(name, "");
   }
-  if (auto checked = check_folder(request.folder, all, request.force); !checked) {
+  if (auto checked = check_folder(arguments.folder, all, arguments.force); !checked) {
     return tl::unexpected(checked.error());
   }
   for (const auto& [name, text] : all) {
-    if (auto checked = check_outputs({request.folder + "/" + name}, file->inputs); !checked) {
+    if (auto checked = check_outputs({arguments.folder + "/" + name}, file->inputs); !checked) {
       return tl::unexpected(checked.error());
     }
   }
-  const auto simulation = simulate(file->plan, request.threads);
+  const auto simulation = simulate(file->plan, arguments.threads);
   if (!simulation) {
     return tl::unexpected(simulation.error());
   }
@@ -248,31 +248,31 @@ Expected<int> simulate_and_write(const Request& request) {
   for (const FolderFiles& made : {made_files(*file, *simulation, copies->names, truth), *scans}) {
     files.insert(files.end(), made.begin(), made.end());
   }
-  if (auto written = write_folder(request.folder, files, request.force); !written) {
+  if (auto written = write_folder(arguments.folder, files, arguments.force); !written) {
     return tl::unexpected(written.error());
   }
-  return request.common.tell(truth, summary(*file, *simulation, request));
+  return arguments.common.tell(truth, summary(*file, *simulation, arguments));
 }
 
 // Sends the readings to standard output, as an arm would.
-Expected<int> simulate_and_send(const Request& request) {
-  if (!request.folder.empty() || !request.common.json.empty()) {
+Expected<int> simulate_and_send(const SimulateArguments& arguments) {
+  if (!arguments.folder.empty() || !arguments.common.json.empty()) {
     return wrong_usage("--stream writes events to standard output and nothing else; leave -o and --json out");
   }
-  auto file = read_plan_file(request.plan, request.access.of(request.plan));
+  auto file = read_plan_file(arguments.plan, arguments.access.of(arguments.plan));
   if (!file) {
     return tl::unexpected(file.error());
   }
-  file->plan.seed = request.seed.value_or(file->plan.seed);
+  file->plan.seed = arguments.seed.value_or(file->plan.seed);
   std::vector<PlantedMistake> mistakes;
-  for (const std::string& text : request.mistakes) {
+  for (const std::string& text : arguments.mistakes) {
     auto mistake = parse_mistake(text, static_cast<int>(file->plan.nominal.joints.size()));
     if (!mistake) {
       return tl::unexpected(mistake.error());
     }
     mistakes.push_back(*mistake);
   }
-  auto simulation = simulate(file->plan, request.threads);
+  auto simulation = simulate(file->plan, arguments.threads);
   if (!simulation) {
     return tl::unexpected(simulation.error());
   }
@@ -281,12 +281,12 @@ Expected<int> simulate_and_send(const Request& request) {
       return tl::unexpected(planted.error());
     }
   }
-  const double period = 1.0 / (request.rate > 0.0 ? request.rate : 1.0);
+  const double period = 1.0 / (arguments.rate > 0.0 ? arguments.rate : 1.0);
   return send_events(*simulation, mistakes, period,
                      [&](const std::string& lines) {
                        const bool sent = std::fwrite(lines.data(), 1, lines.size(), stdout) == lines.size() &&
                                          std::fflush(stdout) == 0;
-                       if (request.rate > 0.0) {
+                       if (arguments.rate > 0.0) {
                          std::this_thread::sleep_for(std::chrono::duration<double>(period));
                        }
                        return sent;
@@ -294,48 +294,49 @@ Expected<int> simulate_and_send(const Request& request) {
       .map([] { return 0; });
 }
 
-Expected<int> simulate_as_asked(const Request& request) {
-  if (request.stream) {
-    return simulate_and_send(request);
+Expected<int> simulate_as_asked(const SimulateArguments& arguments) {
+  if (arguments.stream) {
+    return simulate_and_send(arguments);
   }
-  if (request.folder.empty()) {
+  if (arguments.folder.empty()) {
     return wrong_usage("--output is missing, expected -o FOLDER, or --stream for events on standard output");
   }
-  if (!request.mistakes.empty() || request.rate > 0.0) {
+  if (!arguments.mistakes.empty() || arguments.rate > 0.0) {
     return wrong_usage("--mistake and --rate are of --stream, which is missing");
   }
-  return simulate_and_write(request);
+  return simulate_and_write(arguments);
 }
 
 }  // namespace
 
 Run set_up_simulate(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("plan", request->plan, "plan.toml")->required()->type_name("PLAN");
-  parser.add_option("-o,--output", request->folder, "folder to write: a recording, and the truth beside it")
+  auto arguments = std::make_shared<SimulateArguments>();
+  parser.add_option("plan", arguments->plan, "plan.toml")->required()->type_name("PLAN");
+  parser.add_option("-o,--output", arguments->folder, "folder to write: a recording, and the truth beside it")
       ->type_name("FOLDER");
-  parser.add_flag("--force", request->force, "replace a folder that an earlier simulation has written");
-  parser.add_option("--seed", request->seed, "instead of the plan's")->check(CLI::Range(0L, 9007199254740992L));
-  parser.add_option("--threads", request->threads, "0: as many as the machine has; the readings are the same with any")
+  parser.add_flag("--force", arguments->force, "replace a folder that an earlier simulation has written");
+  parser.add_option("--seed", arguments->seed, "instead of the plan's")->check(CLI::Range(0L, 9007199254740992L));
+  parser
+      .add_option("--threads", arguments->threads, "0: as many as the machine has; the readings are the same with any")
       ->check(CLI::Range(0, 256));
-  parser.add_flag("--stream", request->stream,
+  parser.add_flag("--stream", arguments->stream,
                   "send the readings to standard output instead, as events of an arm for artcal record");
-  parser.add_option("--rate", request->rate, "of --stream, readings a second; by default as fast as it goes")
+  parser.add_option("--rate", arguments->rate, "of --stream, readings a second; by default as fast as it goes")
       ->check(CLI::Range(0.001, 1e6))
       ->type_name("NUMBER");
   parser
-      .add_option("--mistake", request->mistakes,
+      .add_option("--mistake", arguments->mistakes,
                   "of --stream: a mistake to plant; joints:2,3 or sign:3 or slip:4,30 (deg) or moved:12 (mm) or "
                   "wrong-feature")
       ->allow_extra_args(false)
       ->type_name("KIND");
-  request->access.add_to(parser);
-  request->common.add_to(parser);
+  arguments->access.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer(
       "Examples:\n  artcal simulate examples/simulate/plan.toml -o simulated\n"
       "  artcal simulate examples/simulate/plan.toml --stream --rate 2");
-  return [request] {
-    const auto done = simulate_as_asked(*request);
+  return [arguments] {
+    const auto done = simulate_as_asked(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

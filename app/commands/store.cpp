@@ -12,18 +12,18 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct StoreArguments {
   std::string out, store;
   std::vector<std::string> shards;
   bool quiet = false, dry_run = false;
 };
 
-Expected<int> merge_and_tell(const Request& request) {
-  auto out = Store::open(request.out, Database::Access::Write);
+Expected<int> merge_and_tell(const StoreArguments& arguments) {
+  auto out = Store::open(arguments.out, Database::Access::Write);
   if (!out) {
     return tl::unexpected(out.error());
   }
-  for (const std::string& name : request.shards) {
+  for (const std::string& name : arguments.shards) {
     auto shard = Store::open(name, Database::Access::Read);
     if (!shard) {
       return tl::unexpected(shard.error());
@@ -32,14 +32,14 @@ Expected<int> merge_and_tell(const Request& request) {
       return tl::unexpected(merged.error());
     }
   }
-  if (!request.quiet) {
-    fmt::print("{} stores were merged into {}.\n", request.shards.size(), out->name());
+  if (!arguments.quiet) {
+    fmt::print("{} stores were merged into {}.\n", arguments.shards.size(), out->name());
   }
   return 0;
 }
 
-Expected<int> dump(const Request& request) {
-  auto store = Store::open(request.store, Database::Access::Read);
+Expected<int> dump(const StoreArguments& arguments) {
+  auto store = Store::open(arguments.store, Database::Access::Read);
   if (!store) {
     return tl::unexpected(store.error());
   }
@@ -54,8 +54,8 @@ std::string line_of(const VanishedFile& file) {
                                           : fmt::format(", {}", in_quotes(file.name)));
 }
 
-Expected<int> prune(const Request& request) {
-  auto store = Store::open(request.store, request.dry_run ? Database::Access::Read : Database::Access::Write);
+Expected<int> prune(const StoreArguments& arguments) {
+  auto store = Store::open(arguments.store, arguments.dry_run ? Database::Access::Read : Database::Access::Write);
   if (!store) {
     return tl::unexpected(store.error());
   }
@@ -63,14 +63,14 @@ Expected<int> prune(const Request& request) {
   if (!gone) {
     return tl::unexpected(gone.error());
   }
-  if (auto removed = request.dry_run ? Expected<void>() : remove_files(*store, *gone); !removed) {
+  if (auto removed = arguments.dry_run ? Expected<void>() : remove_files(*store, *gone); !removed) {
     return tl::unexpected(removed.error());
   }
-  if (!request.quiet) {
+  if (!arguments.quiet) {
     fmt::print("{} of {} at which no file is any more{}\n", plural(gone->size(), "path"), store->name(),
-               gone->empty()     ? "."
-               : request.dry_run ? " would be removed:"
-                                 : " were removed; their results stay:");
+               gone->empty()       ? "."
+               : arguments.dry_run ? " would be removed:"
+                                   : " were removed; their results stay:");
     for (const VanishedFile& file : *gone) {
       fmt::print("{}", line_of(file));
     }
@@ -81,27 +81,29 @@ Expected<int> prune(const Request& request) {
 }  // namespace
 
 Run set_up_store(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
+  auto arguments = std::make_shared<StoreArguments>();
   parser.require_subcommand(1);
   CLI::App* merge =
       parser.add_subcommand("merge", "add what other stores hold to a store; the same again changes nothing");
-  merge->add_option("out", request->out, "store to add to; made where it is not there")->required()->type_name("OUT");
-  merge->add_option("shards", request->shards, "stores to read")->required()->type_name("STORE…");
-  merge->add_flag("--quiet,-q", request->quiet, "print nothing but errors");
+  merge->add_option("out", arguments->out, "store to add to; made where it is not there")->required()->type_name("OUT");
+  merge->add_option("shards", arguments->shards, "stores to read")->required()->type_name("STORE…");
+  merge->add_flag("--quiet,-q", arguments->quiet, "print nothing but errors");
   CLI::App* dumped =
       parser.add_subcommand("dump", "print all results, a row a line; the same results give the same bytes");
-  dumped->add_option("store", request->store, "file or postgresql://…")->required()->type_name("STORE");
+  dumped->add_option("store", arguments->store, "file or postgresql://…")->required()->type_name("STORE");
   CLI::App* pruned = parser.add_subcommand("prune", "remove paths of recordings that were moved or deleted");
-  pruned->add_option("store", request->store, "file or postgresql://…")->required()->type_name("STORE");
-  pruned->add_flag("--dry-run", request->dry_run, "list them, remove nothing");
-  pruned->add_flag("--quiet,-q", request->quiet, "print nothing but errors");
+  pruned->add_option("store", arguments->store, "file or postgresql://…")->required()->type_name("STORE");
+  pruned->add_flag("--dry-run", arguments->dry_run, "list them, remove nothing");
+  pruned->add_flag("--quiet,-q", arguments->quiet, "print nothing but errors");
   pruned->footer(
       "Run it on the computer that has the files. The results themselves stay, so that those that rest on a "
       "certificate "
       "can still be found.\nExample:\n  artcal store prune all.sqlite --dry-run");
   parser.footer("Examples:\n  artcal store merge all.sqlite shard-*.sqlite\n  artcal store dump all.sqlite");
-  return [request, merge, pruned] {
-    const auto done = merge->parsed() ? merge_and_tell(*request) : pruned->parsed() ? prune(*request) : dump(*request);
+  return [arguments, merge, pruned] {
+    const auto done = merge->parsed()    ? merge_and_tell(*arguments)
+                      : pruned->parsed() ? prune(*arguments)
+                                         : dump(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

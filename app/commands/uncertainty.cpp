@@ -14,7 +14,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct UncertaintyArguments {
   CommonOptions common;
   std::string arm;
   std::string probe;
@@ -22,7 +22,7 @@ struct Request {
   MonteCarloRequest monte_carlo;  ///< holds the noise for both
 };
 
-Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& file) {
+Expected<UncertaintySources> sources_of(const UncertaintyArguments& arguments, const ArmFile& file) {
   if (!file.identification) {
     return bad_input(
         "this arm carries no covariance, so nothing is known of its uncertainty; `artcal identify RECORDING -o ARM` "
@@ -30,8 +30,8 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
         file.input.path);
   }
   UncertaintySources sources = uncertainty_sources(file.arm, *file.identification);
-  const std::string& encoder_text = request.monte_carlo.choices.encoder_noise;
-  const std::string& probing_text = request.monte_carlo.choices.probing_noise;
+  const std::string& encoder_text = arguments.monte_carlo.choices.encoder_noise;
+  const std::string& probing_text = arguments.monte_carlo.choices.probing_noise;
   const auto encoder = encoder_text.empty() ? Expected<double>(0.0)
                                             : stated_angle_noise(encoder_text, "--encoder-noise", ZeroNoise::Allowed);
   const auto probing = probing_text.empty() ? Expected<double>(0.0)
@@ -54,68 +54,69 @@ Expected<UncertaintySources> sources_of(const Request& request, const ArmFile& f
   return sources;
 }
 
-Expected<int> probe_of(const Request& request, const ArmFile& file) {
-  if (request.probe.empty()) {
+Expected<int> probe_of(const UncertaintyArguments& arguments, const ArmFile& file) {
+  if (arguments.probe.empty()) {
     return 0;
   }
-  const int probe = probe_index(file.arm, request.probe);
+  const int probe = probe_index(file.arm, arguments.probe);
   if (probe < 0) {
-    return wrong_usage(fmt::format("the arm has no probe {}", in_quotes(request.probe)));
+    return wrong_usage(fmt::format("the arm has no probe {}", in_quotes(arguments.probe)));
   }
   return probe;
 }
 
-Expected<int> survey_and_tell(const Request& request) {
-  const auto file = read_arm_file(request.arm);
+Expected<int> survey_and_tell(const UncertaintyArguments& arguments) {
+  const auto file = read_arm_file(arguments.arm);
   if (!file) {
     return tl::unexpected(file.error());
   }
-  const auto sources = sources_of(request, *file);
+  const auto sources = sources_of(arguments, *file);
   if (!sources) {
     return tl::unexpected(sources.error());
   }
-  const auto probe = probe_of(request, *file);
+  const auto probe = probe_of(arguments, *file);
   if (!probe) {
     return tl::unexpected(probe.error());
   }
-  if (auto checked = check_outputs({request.common.json}, {file->input}); !checked) {
+  if (auto checked = check_outputs({arguments.common.json}, {file->input}); !checked) {
     return tl::unexpected(checked.error());
   }
   const UncertainArm arm(file->arm, *sources, *probe);
-  const SurveyResult result{*file, *sources, *probe, request.sampling, survey(arm, request.sampling)};
-  return request.common.tell(to_json(result), to_text(result));
+  const SurveyResult result{*file, *sources, *probe, arguments.sampling, survey(arm, arguments.sampling)};
+  return arguments.common.tell(to_json(result), to_text(result));
 }
 
 }  // namespace
 
 Run set_up_uncertainty(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
+  auto arguments = std::make_shared<UncertaintyArguments>();
   parser
-      .add_option("file", request->arm,
+      .add_option("file", arguments->arm,
                   "an identified arm, as `artcal identify -o` writes it; with --monte-carlo a recording.toml")
       ->required()
       ->type_name("ARM|RECORDING");
-  request->monte_carlo.choices.add_noise_of_parts_to(parser);
-  parser.add_option("--probe", request->probe, "the probe to measure with, where there are several")->type_name("NAME");
-  parser.add_option("--lengths", request->sampling.lengths, "random places for each length")
+  arguments->monte_carlo.choices.add_noise_of_parts_to(parser);
+  parser.add_option("--probe", arguments->probe, "the probe to measure with, where there are several")
+      ->type_name("NAME");
+  parser.add_option("--lengths", arguments->sampling.lengths, "random places for each length")
       ->check(CLI::Range(1, 1'000'000));
-  parser.add_option("--rings", request->sampling.rings, "of the map of the volume")->check(CLI::Range(1, 100));
-  parser.add_option("--seed", request->sampling.seed, "of the random places and postures");
-  request->monte_carlo.add_to(parser);
+  parser.add_option("--rings", arguments->sampling.rings, "of the map of the volume")->check(CLI::Range(1, 100));
+  parser.add_option("--seed", arguments->sampling.seed, "of the random places and postures");
+  arguments->monte_carlo.add_to(parser);
   for (const char* of_a_survey : {"--lengths", "--rings"}) {
     parser.get_option("--monte-carlo")->excludes(parser.get_option(of_a_survey));
   }
-  request->monte_carlo.access.add_to(parser);
-  request->common.add_to(parser);
+  arguments->monte_carlo.access.add_to(parser);
+  arguments->common.add_to(parser);
   parser.footer(
       "Example:\n  artcal identify examples/ball-bar/recording.toml -o arm.toml\n"
       "  artcal uncertainty arm.toml --encoder-noise \"2 arcsec\" --probing-noise \"3 um\"\n"
       "  artcal uncertainty examples/two-socket-bar/recording.toml --monte-carlo --trials 10000");
-  return [request] {
-    const auto done = request->monte_carlo.asked
-                          ? monte_carlo_and_tell(request->monte_carlo, request->common, request->arm, request->probe,
-                                                 request->sampling.seed)
-                          : survey_and_tell(*request);
+  return [arguments] {
+    const auto done = arguments->monte_carlo.asked
+                          ? monte_carlo_and_tell(arguments->monte_carlo, arguments->common, arguments->arm,
+                                                 arguments->probe, arguments->sampling.seed)
+                          : survey_and_tell(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

@@ -8,7 +8,7 @@
 namespace artcal {
 namespace {
 
-constexpr double k = 2.0;
+constexpr double written_k = 2.0;
 
 const char* kind_text(FeatureKind kind) {
   switch (kind) {
@@ -32,7 +32,7 @@ std::string vector_line(const char* key, const Eigen::Vector3d& v) {
 
 // "U_at", "k_at"; nothing where there is no uncertainty.
 std::string uncertainty_lines(const std::string& of, double u) {
-  return u > 0.0 ? number_line(("U" + of).c_str(), k * u) + number_line(("k" + of).c_str(), k) : "";
+  return u > 0.0 ? number_line(("U" + of).c_str(), written_k * u) + number_line(("k" + of).c_str(), written_k) : "";
 }
 
 std::string head_text(const Artefact& artefact) {

@@ -37,7 +37,7 @@ Eigen::Matrix3d rotation_to(const Eigen::Vector3d& axis) { return rotation_onto(
 
 std::vector<Eigen::Vector3d> directions_on_ball(const PlannedProbing& probing, RandomStream& random) {
   std::vector<Eigen::Vector3d> directions;
-  if (probing.pattern == Pattern::Iso25) {
+  if (probing.pattern == TouchPattern::Iso25) {
     directions = iso_directions();
   } else if (!probing.scan) {
     // Systematic in the height and by the golden angle about the pole (a spherical Fibonacci lattice), from a random

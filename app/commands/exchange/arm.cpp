@@ -9,7 +9,7 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct ArmArguments {
   ArmImport import;
   ArmExport exported;
   RoundRequest round;
@@ -19,21 +19,21 @@ struct Request {
 }  // namespace
 
 Run set_up_arm(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
+  auto arguments = std::make_shared<ArmArguments>();
   parser.require_subcommand(1);
-  const CLI::App* import = request->import.add_to(parser);
-  const CLI::App* exported = request->exported.add_to(parser);
-  const CLI::App* round = request->round.add_to(parser);
-  request->reported.add_to(parser);
+  const CLI::App* import = arguments->import.add_to(parser);
+  const CLI::App* exported = arguments->exported.add_to(parser);
+  const CLI::App* round = arguments->round.add_to(parser);
+  arguments->reported.add_to(parser);
   parser.footer(
       "Examples:\n  artcal arm import robot.urdf --tip tool0 -o arm.toml\n  artcal arm export arm.toml --urdf -o "
       "arm.urdf\n  artcal arm round arm.toml --steps length=0.001in,angle=19.8arcsec -o rounded.toml\n"
       "  artcal arm from-coordinates recording.toml -o arm.toml");
-  return [request, import, exported, round] {
-    const auto done = import->parsed()     ? request->import.run()
-                      : exported->parsed() ? request->exported.run()
-                      : round->parsed()    ? request->round.run()
-                                           : request->reported.run();
+  return [arguments, import, exported, round] {
+    const auto done = import->parsed()     ? arguments->import.run()
+                      : exported->parsed() ? arguments->exported.run()
+                      : round->parsed()    ? arguments->round.run()
+                                           : arguments->reported.run();
     return done ? *done : report_error(done.error());
   };
 }

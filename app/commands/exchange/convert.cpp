@@ -10,33 +10,33 @@
 namespace artcal {
 namespace {
 
-struct Request {
+struct ConvertArguments {
   std::string result, part, output = "-";
   bool csv = false, quiet = false;
 };
 
-Expected<int> convert(const Request& request) {
-  if (!request.csv) {
+Expected<int> convert(const ConvertArguments& arguments) {
+  if (!arguments.csv) {
     return wrong_usage("say what to convert to: --csv");
   }
-  if (auto checked = check_outputs({request.output}, {{request.result, ""}}); !checked) {
+  if (auto checked = check_outputs({arguments.output}, {{arguments.result, ""}}); !checked) {
     return tl::unexpected(checked.error());
   }
-  const auto result = read_result_json(request.result);
+  const auto result = read_result_json(arguments.result);
   if (!result) {
     return tl::unexpected(result.error());
   }
-  auto text = result_csv(result->json, request.part);
+  auto text = result_csv(result->json, arguments.part);
   if (!text) {
-    return tl::unexpected(Error{text.error().code, text.error().message, request.result});
+    return tl::unexpected(Error{text.error().code, text.error().message, arguments.result});
   }
-  if (request.output == "-") {
+  if (arguments.output == "-") {
     fmt::print("{}", *text);
     return 0;
   }
-  return write_file(request.output, *text).map([&] {
-    if (!request.quiet) {
-      fmt::print("The table is in {}.\n", request.output);
+  return write_file(arguments.output, *text).map([&] {
+    if (!arguments.quiet) {
+      fmt::print("The table is in {}.\n", arguments.output);
     }
     return 0;
   });
@@ -45,20 +45,20 @@ Expected<int> convert(const Request& request) {
 }  // namespace
 
 Run set_up_convert(CLI::App& parser) {
-  auto request = std::make_shared<Request>();
-  parser.add_option("result", request->result, "a result as --json writes it")->required()->type_name("RESULT");
-  parser.add_flag("--csv", request->csv, "write a table as CSV");
-  parser.add_option("--part", request->part, "which table of the result; by default the first that it has of these")
+  auto arguments = std::make_shared<ConvertArguments>();
+  parser.add_option("result", arguments->result, "a result as --json writes it")->required()->type_name("RESULT");
+  parser.add_flag("--csv", arguments->csv, "write a table as CSV");
+  parser.add_option("--part", arguments->part, "which table of the result; by default the first that it has of these")
       ->check(CLI::IsMember({"parameters", "readings", "verdicts", "lengths", "values"}));
-  parser.add_option("-o,--output", request->output, "the file to write; - is standard output")->type_name("CSV");
-  parser.add_flag("--quiet,-q", request->quiet, "print nothing but the table and errors");
+  parser.add_option("-o,--output", arguments->output, "the file to write; - is standard output")->type_name("CSV");
+  parser.add_flag("--quiet,-q", arguments->quiet, "print nothing but the table and errors");
   parser.footer(
       "parameters, readings and lengths are of an identification, verdicts and lengths of a verification, values of a "
       "fitted feature.\n"
       "Example:\n  artcal verify examples/iso10360-12/recording.toml --json result.json\n"
       "  artcal convert result.json --csv --part verdicts -o verdicts.csv");
-  return [request] {
-    const auto done = convert(*request);
+  return [arguments] {
+    const auto done = convert(*arguments);
     return done ? *done : report_error(done.error());
   };
 }

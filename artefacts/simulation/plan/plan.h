@@ -68,7 +68,7 @@ struct PlannedPlacement {
 };
 
 /// How points lie on a feature.
-enum class Pattern {
+enum class TouchPattern {
   Spread,  ///< at random: on a ball's cap, on a plane's rectangle, anywhere for lengths and coordinates
   Iso25,   ///< ISO 10360's 25 points on a hemisphere
 };
@@ -79,7 +79,7 @@ struct PlannedProbing {
   std::vector<int> features;    ///< into Artefact::features
   std::vector<int> placements;  ///< into SimulationPlan::placements
   int probe = 0;                ///< into Arm::probes
-  Pattern pattern = Pattern::Spread;
+  TouchPattern pattern = TouchPattern::Spread;
   int points = 25;       ///< a feature
   bool scan = false;     ///< balls only: the points of all features go into one scan, each taken from one posture
   int orientations = 0;  ///< postures of the wrist, each of which takes all points; 0: each point has its own

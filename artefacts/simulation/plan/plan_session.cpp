@@ -169,9 +169,9 @@ void read_pattern(TomlTable& table, PlannedProbing& probing, const Artefact& art
   if (pattern != "spread" && pattern != "iso25") {
     table.fail("pattern", fmt::format("the pattern is {}, expected \"spread\" or \"iso25\"", in_quotes(pattern)));
   }
-  probing.pattern = pattern == "iso25" ? Pattern::Iso25 : Pattern::Spread;
+  probing.pattern = pattern == "iso25" ? TouchPattern::Iso25 : TouchPattern::Spread;
   probing.points = count_at(table, "points", 25, 1, max_points);
-  if (probing.pattern != Pattern::Iso25) {
+  if (probing.pattern != TouchPattern::Iso25) {
     return;
   }
   if (probing.points != 25) {

@@ -25,7 +25,7 @@ using Key = std::tuple<int, int, int>;  // artefact, placement, repeat
 constexpr std::size_t swing_round_placements = 4;
 
 /// Measured centres of a plate beside the certified ones, at the reference temperature.
-struct Pattern {
+struct BallPattern {
   std::vector<int> features;
   Eigen::Matrix3Xd measured, certified, others;
 };
@@ -35,8 +35,8 @@ bool is_plate(const Artefact& artefact) {
                        [](const CertifiedFeature& feature) { return feature.at.has_value(); }) >= 3;
 }
 
-Pattern pattern_of(const Artefact& artefact, const std::map<int, MeasuredPoint>& balls, double temperature) {
-  Pattern pattern;
+BallPattern pattern_of(const Artefact& artefact, const std::map<int, MeasuredPoint>& balls, double temperature) {
+  BallPattern pattern;
   std::vector<Eigen::Vector3d> measured, certified, others;
   const double factor = expansion_factor_or_one(artefact, temperature);
   for (int f = 0; f < static_cast<int>(artefact.features.size()); ++f) {
@@ -62,7 +62,7 @@ Pattern pattern_of(const Artefact& artefact, const std::map<int, MeasuredPoint>&
   return pattern;
 }
 
-double u_of_scale(const Session& session, const Artefact& artefact, const Pattern& pattern, const RigidFit& fit,
+double u_of_scale(const Session& session, const Artefact& artefact, const BallPattern& pattern, const RigidFit& fit,
                   double scatter, double temperature) {
   double u_at = 0.0;
   for (const int f : pattern.features) {
@@ -80,7 +80,7 @@ double coverage_factor_of(double scatter, double freedom, double u) {
   return stated_coverage_factor(effective_degrees_of_freedom(components));
 }
 
-std::string names_of(const Artefact& artefact, const Pattern& pattern, const std::vector<int>& which) {
+std::string names_of(const Artefact& artefact, const BallPattern& pattern, const std::vector<int>& which) {
   std::string text;
   for (const int i : which) {
     text += (text.empty() ? "" : ", ") + artefact.features[pattern.features[i]].name;
@@ -89,7 +89,7 @@ std::string names_of(const Artefact& artefact, const Pattern& pattern, const std
 }
 
 // Names of certified balls in the order that PatternFinding counts them: the measured ones, then the others.
-std::vector<int> counted(const Artefact& artefact, const Pattern& pattern) {
+std::vector<int> counted(const Artefact& artefact, const BallPattern& pattern) {
   std::vector<int> features = pattern.features;
   for (int f = 0; f < static_cast<int>(artefact.features.size()); ++f) {
     const bool is_measured = std::find(pattern.features.begin(), pattern.features.end(), f) != pattern.features.end();
@@ -100,7 +100,7 @@ std::vector<int> counted(const Artefact& artefact, const Pattern& pattern) {
   return features;
 }
 
-std::string swaps_of(const Artefact& artefact, const Pattern& pattern, const std::vector<int>& order) {
+std::string swaps_of(const Artefact& artefact, const BallPattern& pattern, const std::vector<int>& order) {
   const auto features = counted(artefact, pattern);
   std::string text;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -112,7 +112,7 @@ std::string swaps_of(const Artefact& artefact, const Pattern& pattern, const std
   return truncated(160, text);
 }
 
-std::string text_of(const PatternFinding& finding, const Artefact& artefact, const Pattern& pattern) {
+std::string text_of(const PatternFinding& finding, const Artefact& artefact, const BallPattern& pattern) {
   const std::string rms = fmt::format("{:.4g} mm rms instead of {:.4g}", finding.rms_found, finding.rms_as_named);
   switch (finding.kind) {
     case PatternFinding::Kind::Mirrored:
@@ -131,10 +131,10 @@ std::string text_of(const PatternFinding& finding, const Artefact& artefact, con
 }
 
 // What the plate itself is like, by all its complete placements; the first repeat of each stands for it.
-void add_calibration(const Artefact& artefact, const std::vector<Pattern>& patterns, PlateVerification& result) {
+void add_calibration(const Artefact& artefact, const std::vector<BallPattern>& patterns, PlateVerification& result) {
   std::vector<Eigen::Matrix3Xd> measured;
   Eigen::Matrix3Xd certified;
-  for (const Pattern& pattern : patterns) {
+  for (const BallPattern& pattern : patterns) {
     if (pattern.others.cols() == 0) {
       measured.push_back(pattern.measured);
       certified = pattern.certified;
@@ -154,7 +154,7 @@ void add_calibration(const Artefact& artefact, const std::vector<Pattern>& patte
   }
 }
 
-Expected<PlatePlacement> evaluate(const Session& session, const Artefact& artefact, const Pattern& pattern,
+Expected<PlatePlacement> evaluate(const Session& session, const Artefact& artefact, const BallPattern& pattern,
                                   double temperature) {
   const auto fit = fit_rigid(pattern.measured, pattern.certified);
   if (!fit) {
@@ -267,11 +267,11 @@ Expected<PlateVerification> verify_sphere_plate(const Session& session) {
       verification.missing.push_back(measured.error().text());
     }
   }
-  std::map<int, std::vector<Pattern>> patterns;  // by artefact
+  std::map<int, std::vector<BallPattern>> patterns;  // by artefact
   for (const Key& key : order) {
     const auto& [artefact, placement, repeat] = key;
     const double temperature = mean_temperature(session, readings[key]);
-    const Pattern pattern = pattern_of(session.constraints.artefacts[artefact], placements[key], temperature);
+    const BallPattern pattern = pattern_of(session.constraints.artefacts[artefact], placements[key], temperature);
     auto plate = evaluate(session, session.constraints.artefacts[artefact], pattern, temperature);
     const std::string& name = session.recording.placements.name(placement);
     if (!plate) {

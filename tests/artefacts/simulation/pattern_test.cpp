@@ -19,7 +19,7 @@ double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 TEST(Pattern, Iso25HasItsRings) {
   RandomStream random(1, "pattern");
   PlannedProbing probing;
-  probing.pattern = Pattern::Iso25;
+  probing.pattern = TouchPattern::Iso25;
   probing.pole_in_base = Eigen::Vector3d(0.3, -0.5, -0.8).normalized();
   const auto directions = directions_on_ball(probing, random);
   ASSERT_EQ(directions.size(), 25u);

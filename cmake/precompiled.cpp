@@ -1,0 +1,1 @@
+// Only there so that cmake/precompiled.h is compiled.

@@ -1,0 +1,5 @@
+#include "core/linear_algebra/decompositions.h"
+
+#define INSTANCE template
+#include "core/linear_algebra/decompositions.inc"
+#undef INSTANCE
