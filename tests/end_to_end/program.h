@@ -71,6 +71,9 @@ class ProgramTest : public ::testing::Test {
     const std::string work = folder("work").string();
     const std::string out = folder("out").string();
     const std::string err = folder("err").string();
+    // A child that is killed before it empties them would leave the words of the one before.
+    std::filesystem::remove(out);
+    std::filesystem::remove(err);
     const pid_t child = ::fork();
     if (child == 0) {
       if (::chdir(work.c_str()) != 0 || !redirect(out, STDOUT_FILENO) || !redirect(err, STDERR_FILENO)) {
