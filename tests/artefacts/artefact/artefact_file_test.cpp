@@ -1,5 +1,6 @@
 #include "artefacts/artefact/artefact_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -272,7 +273,7 @@ TEST_F(ArtefactFileTest, RefusesTypesAndTheirContradictions) {
 TEST_F(ArtefactFileTest, RefusesMoreThanItReads) {
   std::string many = "schema = \"artcal-artefact/1\"\nunits = { length = \"mm\" }\n";
   for (int i = 0; i < 1001; ++i) {
-    many += "[[feature]]\nname = \"" + std::to_string(i) + "\"\nkind = \"point\"\n";
+    many += fmt::format("[[feature]]\nname = \"{}\"\nkind = \"point\"\n", i);
   }
   EXPECT_THAT(refusal(many), HasSubstr("1001 tables [[feature]], more than the 1000 that are read"));
   EXPECT_THAT(refusal(std::string(bar) + "#" + std::string((std::size_t{16} << 20), 'x')), HasSubstr("split it"));
