@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "app/commands/command.h"
-#include "app/commands/stopwatch.h"
 #include "app/output/output.h"
+#include "app/output/stopwatch.h"
 #include "app/requests/memory_option.h"
 #include "app/requests/points/cloud_columns.h"
 #include "app/requests/points/row_list.h"

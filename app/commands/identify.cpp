@@ -9,8 +9,8 @@
 
 #include "acquisition/arm/arm_file.h"
 #include "app/arm/rounding_options.h"
-#include "app/commands/stopwatch.h"
 #include "app/output/output.h"
+#include "app/output/stopwatch.h"
 #include "app/requests/dcc_request.h"
 #include "app/requests/identify_request.h"
 #include "app/requests/recording_request.h"
