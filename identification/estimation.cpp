@@ -27,7 +27,9 @@ Expected<GroupFit> fitted(Expected<Preparation> preparation, const Recording& re
   if (!preparation) {
     return tl::unexpected(preparation.error());
   }
-  return fit_groups(recording, constraints, std::move(*preparation), options, prior);
+  auto fit = fit_arm(recording, constraints, preparation->start, preparation->free, options.noise,
+                     SolveOptions{options.loss, options.max_iterations}, prior);
+  return fix_undetermined_members(std::move(fit), recording, constraints, std::move(*preparation), options, prior);
 }
 
 Error hardly_determined(const std::vector<std::string>& names, bool scale) {

@@ -51,8 +51,10 @@ Expected<ArmWithout> identify_from(const Estimate& estimate, const Recording& re
   if (!prepared) {
     return tl::unexpected(prepared.error());
   }
-  return fit_groups(recording, rest, std::move(*prepared), with_noise,
-                    {estimate.weak, arm_for(with_noise.model, recording.arm)})
+  const WeakPrior prior{estimate.weak, arm_for(with_noise.model, recording.arm)};
+  auto fit = fit_arm(recording, rest, prepared->start, prepared->free, with_noise.noise,
+                     SolveOptions{with_noise.loss, with_noise.max_iterations}, prior);
+  return fix_undetermined_members(std::move(fit), recording, rest, std::move(*prepared), with_noise, prior)
       .map([&](const GroupFit& refit) {
         const auto covariance = arm_covariance(refit.fit.scale, refit.fit.linearisation);
         return ArmWithout{refit.fit.arm, sources_of(covariance.value_or(Eigen::MatrixXd()), refit.fit.noise,

@@ -116,7 +116,7 @@ std::vector<FixedMember> not_identifiable(const Preparation& preparation, const 
   return fixed;
 }
 
-/// The fit, and what is fixed in the course of it.
+/// The fits that follow the first, and what is fixed in the course of them.
 class Fitting {
  public:
   Fitting(const Recording& recording, const Constraints& constraints, Preparation preparation,
@@ -129,10 +129,8 @@ class Fitting {
         preparation_(std::move(preparation)),
         fixed_(not_identifiable(preparation_, nominal_, options)) {}
 
-  Expected<GroupFit> fit() && {
+  Expected<GroupFit> after(Expected<ArmFit> fit) && {
     while (true) {
-      auto fit = fit_arm(recording_, constraints_, preparation_.start, preparation_.free, options_.noise,
-                         SolveOptions{options_.loss, options_.max_iterations}, prior_);
       const auto members = members_in(preparation_.free, nominal_, options_);
       if (members.empty()) {
         return std::move(fit).map([&](ArmFit&& done) {
@@ -152,10 +150,16 @@ class Fitting {
       if (auto left = fix(**finding); !left) {
         return tl::unexpected(left.error());
       }
+      fit = fit_of(preparation_.free);
     }
   }
 
  private:
+  [[nodiscard]] Expected<ArmFit> fit_of(const std::vector<Parameter>& free) const {
+    return fit_arm(recording_, constraints_, preparation_.start, free, options_.noise,
+                   SolveOptions{options_.loss, options_.max_iterations}, prior_);
+  }
+
   [[nodiscard]] Expected<std::optional<Finding>> finding_of(const ArmFit& fit,
                                                             const std::vector<Member>& members) const {
     const auto covariance = arm_covariance(fit.scale, fit.linearisation);
@@ -174,8 +178,7 @@ class Fitting {
     for (const Member& member : members) {
       std::erase_if(chain, [&](const Parameter& p) { return p.name == preparation_.free[member.free].name; });
     }
-    const auto fit = fit_arm(recording_, constraints_, preparation_.start, chain, options_.noise,
-                             SolveOptions{options_.loss, options_.max_iterations}, prior_);
+    const auto fit = fit_of(chain);
     if (!fit) {
       return tl::unexpected(why);
     }
@@ -220,9 +223,10 @@ class Fitting {
 
 }  // namespace
 
-Expected<GroupFit> fit_groups(const Recording& recording, const Constraints& constraints, Preparation preparation,
-                              const IdentifyOptions& options, const WeakPrior& prior) {
-  return Fitting(recording, constraints, std::move(preparation), options, prior).fit();
+Expected<GroupFit> fix_undetermined_members(Expected<ArmFit> first, const Recording& recording,
+                                            const Constraints& constraints, Preparation preparation,
+                                            const IdentifyOptions& options, const WeakPrior& prior) {
+  return Fitting(recording, constraints, std::move(preparation), options, prior).after(std::move(first));
 }
 
 bool keeps_all_members(const Recording& recording, const std::vector<Parameter>& free, const IdentifyOptions& options,

@@ -16,16 +16,17 @@ struct GroupFit {
   std::vector<FixedMember> fixed;
 };
 
-/// Fits; then, as long as a member of a group is beyond most_of(), has a standard uncertainty beyond it or is a
-/// compliance below zero, fixes the worst such member at its nominal value and fits again. One at a time, the least
-/// determined first: what such a member takes up distorts the others. A fit that does not converge is repeated without
-/// the least determined member. Members named by options.free are never fixed. No solution: see fit_arm(); nothing of a
-/// group is left.
-Expected<GroupFit> fit_groups(const Recording& recording, const Constraints& constraints, Preparation preparation,
-                              const IdentifyOptions& options, const WeakPrior& prior = {});
+/// Looks at the first fit_arm() of a preparation: as long as a member of a group is beyond most_of(), has a standard
+/// uncertainty beyond it or is a compliance below zero, fixes the worst such member at its nominal value and fits
+/// again. One at a time, the least determined first: what such a member takes up distorts the others. A fit that did
+/// not converge is repeated without the least determined member. Members named by options.free are never fixed. No
+/// solution: see fit_arm(); nothing of a group is left.
+Expected<GroupFit> fix_undetermined_members(Expected<ArmFit> first, const Recording& recording,
+                                            const Constraints& constraints, Preparation preparation,
+                                            const IdentifyOptions& options, const WeakPrior& prior = {});
 
-/// Whether fit_groups() would leave all members of the model's groups free that are in `free`, at an arm fitted to
-/// these with this covariance, which may be an upper bound.
+/// Whether fix_undetermined_members() would leave all members of the model's groups free that are in `free`, at an arm
+/// fitted to these with this covariance, which may be an upper bound.
 bool keeps_all_members(const Recording& recording, const std::vector<Parameter>& free, const IdentifyOptions& options,
                        const Arm& arm, const Eigen::MatrixXd& covariance);
 
