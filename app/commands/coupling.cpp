@@ -14,6 +14,7 @@
 #include "app/results/identification/coupling_json.h"
 #include "app/results/identification/coupling_text.h"
 #include "app/results/identification/result_json.h"
+#include "artefacts/constraints/document_warnings.h"
 #include "artefacts/virtual_probing/virtual_probing.h"
 #include "core/files/size_limits.h"
 #include "core/toml/toml_document.h"
@@ -68,6 +69,8 @@ Expected<BoundRecording> recorded(const RecordingRequest& request) {
   return request.bind(std::move(*recording)).map([](BoundRecording&& bound) {
     auto& warnings = bound.recording.warnings;
     warnings.insert(warnings.end(), bound.constraints.warnings.begin(), bound.constraints.warnings.end());
+    const auto of_documents = texts_of(document_warnings(bound.recording, bound.constraints.artefacts));
+    warnings.insert(warnings.end(), of_documents.begin(), of_documents.end());
     return std::move(bound);
   });
 }

@@ -13,6 +13,7 @@
 #include "app/results/evaluation/evaluation_json.h"
 #include "app/results/evaluation/evaluation_text.h"
 #include "app/results/identification/result_json.h"
+#include "artefacts/constraints/document_warnings.h"
 #include "core/text/in_quotes.h"
 #include "identification/evaluation/evaluation.h"
 
@@ -75,7 +76,9 @@ Expected<int> evaluate_and_tell(const EvaluateArguments& arguments) {
   if (auto checked = arguments.recording.check_outputs({arguments.common.json}, recording); !checked) {
     return tl::unexpected(checked.error());
   }
+  const auto of_documents = texts_of(document_warnings(recording, constraints.artefacts));
   recording.warnings.insert(recording.warnings.end(), constraints.warnings.begin(), constraints.warnings.end());
+  recording.warnings.insert(recording.warnings.end(), of_documents.begin(), of_documents.end());
   if (recording.arm_identification) {
     warn_of_same_readings(recording, *recording.arm_identification);
   }

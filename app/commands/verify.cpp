@@ -104,8 +104,7 @@ Expected<int> verify_and_tell(const VerifyArguments& arguments) {
       return tl::unexpected(written.error());
     }
   }
-  const std::string text = to_text(session, *result, arguments.all);
-  return arguments.common.tell(json, text + further_findings_text(findings, text),
+  return arguments.common.tell(json, to_text(session, *result, arguments.all) + further_findings_text(findings),
                                is_shown(*result) ? 0 : conformity_not_shown);
 }
 

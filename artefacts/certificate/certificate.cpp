@@ -55,16 +55,4 @@ std::string not_yet_valid_text(const Artefact& artefact, const std::string& day)
                    number_of(certificate), in_quotes(artefact.name), certificate.date, day);
 }
 
-std::vector<std::string> certificate_warnings(const std::vector<Artefact>& artefacts, const std::string& day) {
-  std::vector<std::string> warnings;
-  for (const Artefact& artefact : artefacts) {
-    for (auto& text : {lapsed_text(artefact, day), not_yet_valid_text(artefact, day)}) {
-      if (!day.empty() && !text.empty()) {
-        warnings.push_back(text);
-      }
-    }
-  }
-  return warnings;
-}
-
 }  // namespace artcal

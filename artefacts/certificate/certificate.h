@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "artefacts/artefact/artefact.h"
 #include "core/toml/toml_document.h"
@@ -16,9 +15,5 @@ Certificate read_certificate(TomlTable table, const Certificate& digital);
 /// That an artefact's certificate had lapsed on that day, or was not yet valid; empty where it was valid.
 std::string lapsed_text(const Artefact& artefact, const std::string& day);
 std::string not_yet_valid_text(const Artefact& artefact, const std::string& day);
-
-/// What is wrong with the artefacts' certificates on the day of the measurement ("2026-03-10"): lapsed before it, or
-/// calibrated after it. Nothing where the day is not known (empty): the clock of this computer is not asked.
-std::vector<std::string> certificate_warnings(const std::vector<Artefact>& artefacts, const std::string& day);
 
 }  // namespace artcal

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "artefacts/artefact/certified_planes.h"
-#include "artefacts/artefact/plausibility.h"
-#include "artefacts/certificate/certificate.h"
 #include "artefacts/constraints/placement_temperatures.h"
 #include "artefacts/constraints/unknowns.h"
 #include "core/text/in_quotes.h"
@@ -166,17 +164,6 @@ Expected<Constraints> build_constraints(const Recording& recording, std::vector<
   }
   add_distances(constraints, index, means);
   warn_of_temperatures(constraints, means);
-  for (const Artefact& artefact : constraints.artefacts) {
-    for (auto& warning : implausible_values(artefact)) {
-      constraints.warnings.push_back(std::move(warning));
-    }
-  }
-  for (auto& warning : implausible_values(recording)) {
-    constraints.warnings.push_back(std::move(warning));
-  }
-  for (auto& warning : certificate_warnings(constraints.artefacts, recording.date)) {
-    constraints.warnings.push_back(std::move(warning));
-  }
   assign_unknowns(constraints);
   return constraints;
 }

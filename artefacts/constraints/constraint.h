@@ -152,7 +152,7 @@ struct Constraints {
   std::vector<DistanceConstraint> distances;
   std::vector<UnknownGroup> groups;
   std::vector<ArtefactParameter> shared;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;  ///< of the binding; those of the documents: document_warnings.h
 
   [[nodiscard]] int unknown_count() const;  ///< of groups, and shared
   /// Residuals of readings, distances not counted.

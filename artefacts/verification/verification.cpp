@@ -8,18 +8,37 @@
 #include "core/text/in_quotes.h"
 
 namespace artcal {
+namespace {
+
+Evidence evidence_of(DocumentWarning::Kind kind) {
+  switch (kind) {
+    case DocumentWarning::Kind::CertificateLapsed: return Evidence::CertificateLapsed;
+    case DocumentWarning::Kind::CertificateNotYetValid: return Evidence::CertificateNotYetValid;
+    case DocumentWarning::Kind::ImplausibleValue: break;
+  }
+  return Evidence::PlausibleValues;
+}
+
+}  // namespace
 
 std::string MissingEvidence::line() const { return fmt::format("{} [{}]", text, name_of(evidence)); }
 
 void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
-                    const std::string& text) {
-  const MissingEvidence missing{evidence, text, specification.waived.contains(evidence)};
+                    const std::string& text, const Subject& about) {
+  const MissingEvidence missing{evidence, text, specification.waived.contains(evidence), about};
   auto& list = missing.is_waived ? verification.waived : verification.missing;
   std::string line = missing.line();
   if (std::find(list.begin(), list.end(), line) == list.end()) {
     list.push_back(std::move(line));
     verification.evidence.push_back(missing);
   }
+}
+
+bool is_noted(const Verification& verification, const DocumentWarning& warning) {
+  const auto& evidence = verification.evidence;
+  return std::any_of(evidence.begin(), evidence.end(), [&](const MissingEvidence& missing) {
+    return missing.evidence == evidence_of(warning.kind) && missing.about == warning.about;
+  });
 }
 
 void judge(TestValue& value, const Specification& specification) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "artefacts/artefact/artefact.h"
+#include "artefacts/constraints/document_warnings.h"
 #include "artefacts/verification/decision/budget.h"
 #include "artefacts/verification/decision/decision.h"
 #include "artefacts/verification/decision/specification.h"
@@ -44,6 +45,7 @@ struct MissingEvidence {
   Evidence evidence = Evidence::CertificateAbsent;
   std::string text;
   bool is_waived = false;
+  Subject about = {};
 
   /// "`text` [certificate_lapsed]".
   [[nodiscard]] std::string line() const;
@@ -67,7 +69,10 @@ struct Verification {
 /// Notes that evidence is missing, among what is missing or, where the specification waives it, among what is waived.
 /// The same text is noted once.
 void report_missing(Verification& verification, const Specification& specification, Evidence evidence,
-                    const std::string& text);
+                    const std::string& text, const Subject& about = {});
+
+/// Whether what a warning of the documents says is noted as missing or waived.
+bool is_noted(const Verification& verification, const DocumentWarning& warning);
 
 /// Fills limit and verdict of a value.
 void judge(TestValue& value, const Specification& specification);

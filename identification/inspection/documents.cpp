@@ -2,24 +2,33 @@
 
 #include <fmt/format.h>
 
-#include "artefacts/artefact/plausibility.h"
-#include "artefacts/certificate/certificate.h"
+#include "artefacts/constraints/document_warnings.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
+namespace {
+
+Finding document_finding(const DocumentWarning& warning, const std::string& where) {
+  const bool is_value = warning.kind == DocumentWarning::Kind::ImplausibleValue;
+  return {is_value ? FindingKind::ImplausibleValue : FindingKind::Certificate, where, warning.text, true};
+}
+
+}  // namespace
+
 Findings find_wrong_documents(const Recording& recording, const std::vector<Artefact>& artefacts) {
+  const auto warnings = document_warnings(recording, artefacts);
   Findings findings;
+  const auto add = [&](const Subject& about, const std::string& where) {
+    for (const DocumentWarning& warning : warnings) {
+      if (warning.about == about) {
+        findings.push_back(document_finding(warning, where));
+      }
+    }
+  };
   for (std::size_t i = 0; i < artefacts.size(); ++i) {
-    for (const std::string& text : implausible_values(artefacts[i])) {
-      findings.push_back({FindingKind::ImplausibleValue, artefact_path(recording, i), text});
-    }
-    for (const std::string& text : certificate_warnings({artefacts[i]}, recording.date)) {
-      findings.push_back({FindingKind::Certificate, artefact_path(recording, i), text});
-    }
+    add({Subject::Kind::Artefact, i}, artefact_path(recording, i));
   }
-  for (const std::string& text : implausible_values(recording)) {
-    findings.push_back({FindingKind::ImplausibleValue, "", text});
-  }
+  add({Subject::Kind::Recording}, "");
   return findings;
 }
 

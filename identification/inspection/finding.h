@@ -44,6 +44,7 @@ struct Finding {
   FindingKind kind = FindingKind::RepeatedReadings;
   std::string where;  ///< "readings.csv:12", or a file; empty where it is no single place
   std::string text;
+  bool is_input_warning = false;  ///< the warnings say it too: the recording's or those of its documents
 
   /// "where: text".
   [[nodiscard]] std::string sentence() const { return where.empty() ? text : where + ": " + text; }

@@ -23,7 +23,7 @@ constexpr double gross_verification = 0.3;  // mm
 Findings with_repeated_readings(const Recording& recording, Findings&& findings) {
   Findings all;
   if (recording.repeated_readings) {
-    all.push_back({FindingKind::RepeatedReadings, "", *recording.repeated_readings});
+    all.push_back({FindingKind::RepeatedReadings, "", *recording.repeated_readings, true});
   }
   all.insert(all.end(), std::make_move_iterator(findings.begin()), std::make_move_iterator(findings.end()));
   return all;
@@ -92,11 +92,6 @@ Error unexplained_error(const Error& as_written, const std::vector<std::string>&
           ErrorKind::Misfit};
 }
 
-bool is_told(const std::vector<std::string>& warnings, const Finding& finding) {
-  return std::any_of(warnings.begin(), warnings.end(),
-                     [&](const std::string& warning) { return warning == finding.text; });
-}
-
 }  // namespace
 
 Inspection inspected(Recording& recording, const Constraints& constraints, const IdentifyOptions* options) {
@@ -138,7 +133,7 @@ InspectedIdentification inspect_result(Expected<Identification> result, const Re
       findings.insert(findings.end(), more.begin(), more.end());
     }
     for (const Finding& finding : findings) {
-      if (!is_told(run.result->warnings, finding)) {
+      if (!finding.is_input_warning) {
         run.result->warnings.push_back(finding.sentence());
       }
     }

@@ -41,13 +41,9 @@ std::string usage_text(const Usage& usage) {
 
 }  // namespace
 
-std::string further_findings_text(const Findings& findings, const std::string& told) {
-  Findings further;
-  for (const Finding& finding : findings) {
-    if (told.find(finding.text) == std::string::npos) {
-      further.push_back(finding);
-    }
-  }
+std::string further_findings_text(const Findings& findings) {
+  Findings further = findings;
+  std::erase_if(further, [](const Finding& finding) { return finding.is_input_warning; });
   return list_text("Findings:", further);
 }
 

@@ -10,7 +10,7 @@ namespace artcal {
 /// What an inspection says, for a person: findings first, then remarks, then what of the arm was used.
 std::string to_text(const Recording& recording, const Constraints& constraints, const Inspection& inspection);
 
-/// Findings that `told` does not hold yet, under a heading; nothing where there are none.
-std::string further_findings_text(const Findings& findings, const std::string& told);
+/// Findings of which the input's warnings say nothing, under a heading; nothing where there are none.
+std::string further_findings_text(const Findings& findings);
 
 }  // namespace artcal

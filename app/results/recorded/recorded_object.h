@@ -13,7 +13,7 @@
 namespace artcal {
 
 /// What a result lacks or has of another kind than docs/result-schema.md says, with its place:
-/// "parameters[3].unit is a number, expected a text".
+/// "parameters[3].unit is 5, expected a text".
 class NotAsInSchema : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

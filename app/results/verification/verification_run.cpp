@@ -1,6 +1,6 @@
 #include "app/results/verification/verification_run.h"
 
-#include <algorithm>
+#include <vector>
 
 #include "app/results/verification/earlier_values.h"
 
@@ -11,13 +11,6 @@ Standard standard_named(const std::string& name) {
   return name == "b89.4.22"       ? Standard::B89_4_22
          : name == "sphere-plate" ? Standard::SpherePlate
                                   : Standard::Iso10360_12;
-}
-
-// Whether a warning of the artefacts is among what is missing already.
-bool is_noted(const Verification& verification, const std::string& warning) {
-  const auto begins = [&](const std::string& text) { return text.starts_with(warning); };
-  return std::any_of(verification.missing.begin(), verification.missing.end(), begins) ||
-         std::any_of(verification.waived.begin(), verification.waived.end(), begins);
 }
 
 }  // namespace
@@ -47,9 +40,11 @@ Expected<VerificationResult> run_verification(VerificationMaterial& material, co
     result->interim = compare(result->verification.values, earlier);
   }
   auto& warnings = result->verification.warnings;
-  auto of_artefacts = material.constraints.warnings;
-  std::erase_if(of_artefacts, [&](const std::string& text) { return is_noted(result->verification, text); });
-  warnings.insert(warnings.begin(), of_artefacts.begin(), of_artefacts.end());
+  auto of_documents = document_warnings(material.recording, material.constraints.artefacts);
+  std::erase_if(of_documents, [&](const DocumentWarning& warning) { return is_noted(result->verification, warning); });
+  const auto texts = texts_of(of_documents);
+  warnings.insert(warnings.begin(), texts.begin(), texts.end());
+  warnings.insert(warnings.begin(), material.constraints.warnings.begin(), material.constraints.warnings.end());
   warnings.insert(warnings.begin(), material.recording.warnings.begin(), material.recording.warnings.end());
   return result;
 }

@@ -80,19 +80,22 @@ void check_plausibility(const Session& session, Verification& verification) {
   for (const TestValue& value : verification.values) {
     used.insert(value.artefact);
   }
-  std::vector<std::string> found;
-  check_limits(verification, found);
-  check_specification(session, found);
-  const auto add = [&](const std::vector<std::string>& more) { found.insert(found.end(), more.begin(), more.end()); };
-  for (const Artefact& artefact : session.constraints.artefacts) {
-    if (used.contains(artefact.name)) {
-      add(implausible_values(artefact));
+  const auto report = [&](const std::vector<std::string>& found, const Subject& about) {
+    for (const std::string& text : found) {
+      report_missing(verification, session.specification, Evidence::PlausibleValues, text, about);
+    }
+  };
+  std::vector<std::string> of_test;
+  check_limits(verification, of_test);
+  check_specification(session, of_test);
+  report(of_test, {Subject::Kind::Test});
+  const std::vector<Artefact>& artefacts = session.constraints.artefacts;
+  for (std::size_t i = 0; i < artefacts.size(); ++i) {
+    if (used.contains(artefacts[i].name)) {
+      report(implausible_values(artefacts[i]), {Subject::Kind::Artefact, i});
     }
   }
-  add(implausible_values(session.recording));
-  for (const std::string& text : found) {
-    report_missing(verification, session.specification, Evidence::PlausibleValues, text);
-  }
+  report(implausible_values(session.recording), {Subject::Kind::Recording});
 }
 
 }  // namespace artcal

@@ -22,10 +22,15 @@ bool rests_on_certificate(const TestValue& value) {
 class CertificateCheck {
  public:
   CertificateCheck(const Session& session, Verification& verification)
-      : day_(session.recording.date), specification_(session.specification), verification_(verification) {}
+      : day_(session.recording.date),
+        artefacts_(session.constraints.artefacts),
+        specification_(session.specification),
+        verification_(verification) {}
 
-  void add(const Artefact& artefact) {
+  void add(std::size_t index) {
+    const Artefact& artefact = artefacts_[index];
     const Certificate& certificate = artefact.certificate;
+    about_ = {Subject::Kind::Artefact, index};
     const std::string name = in_quotes(artefact.name);
     if (certificate.number.empty() && certificate.date.empty()) {
       note(Evidence::CertificateAbsent,
@@ -50,12 +55,14 @@ class CertificateCheck {
 
  private:
   void note(Evidence evidence, const std::string& text) {
-    report_missing(verification_, specification_, evidence, text);
+    report_missing(verification_, specification_, evidence, text, about_);
   }
 
   const std::string& day_;
+  const std::vector<Artefact>& artefacts_;
   const Specification& specification_;
   Verification& verification_;
+  Subject about_;
 };
 
 void check_independence(const Session& session, Verification& verification) {
@@ -87,9 +94,10 @@ void check_traceability(const Session& session, Verification& verification) {
     }
   }
   CertificateCheck certificates(session, verification);
-  for (const Artefact& artefact : session.constraints.artefacts) {
-    if (used.contains(artefact.name)) {
-      certificates.add(artefact);
+  const std::vector<Artefact>& artefacts = session.constraints.artefacts;
+  for (std::size_t i = 0; i < artefacts.size(); ++i) {
+    if (used.contains(artefacts[i].name)) {
+      certificates.add(i);
     }
   }
   if (!used.empty() && session.recording.date.empty()) {

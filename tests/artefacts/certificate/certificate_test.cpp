@@ -6,6 +6,7 @@
 #include "acquisition/recording/recording_file.h"
 #include "artefacts/artefact/artefact_file.h"
 #include "artefacts/constraints/bound_recording.h"
+#include "artefacts/constraints/document_warnings.h"
 #include "tests/support/example_recording.h"
 
 namespace artcal {
@@ -37,7 +38,7 @@ class CertificateTest : public ::testing::Test {
     EXPECT_TRUE(recording) << recording.error().text();
     const auto bound = bind_recording(std::move(*recording));
     EXPECT_TRUE(bound) << bound.error().text();
-    return bound->constraints.warnings;
+    return texts_of(document_warnings(bound->recording, bound->constraints.artefacts));
   }
   testing::TemporaryFolder folder_;
 };

@@ -155,6 +155,25 @@ TEST_F(Verify, ACertificateThatLapsedTheDayBeforeShowsNothing) {
   EXPECT_THAT(waived.out, HasSubstr("Waived by the specification:"));
 }
 
+// What warnings, missing evidence and findings have in common is said once.
+TEST_F(Verify, WhatIsWrongWithTheInputIsSaidOnce) {
+  take("iso10360-12");
+  write("iso10360-12/recording.toml",
+        replaced(text_of("iso10360-12/recording.toml"), "date = 2026-03-10", "date = 2028-03-02"));
+  const std::string readings = text_of("iso10360-12/readings.csv");
+  const std::size_t first = readings.find('\n') + 1;
+  write("iso10360-12/readings.csv", readings + readings.substr(first, readings.find('\n', first) + 1 - first));
+  const Ended ended = run({"verify", "iso10360-12/recording.toml"});
+  const auto count = [&](const std::string& text) {
+    int found = 0;
+    for (auto at = ended.out.find(text); at != std::string::npos; at = ended.out.find(text, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("repeat an earlier one in every number"), 1) << ended.out;
+  EXPECT_EQ(count("had lapsed: it was valid until"), 2) << "the ball's and the bar's";
+  EXPECT_EQ(count("Findings:"), 0);
+}
+
 // What cannot be stands before the verdict that rests on it.
 TEST_F(Verify, ALimitInTheWrongUnitIsSaidBeforeTheVerdict) {
   take("iso10360-12");

@@ -90,6 +90,31 @@ TEST(Traceability, EachDefectIsNamedAndCanBeWaivedByItsName) {
   }
 }
 
+// A warning of the documents that a test notes as missing is not said beside it; of an artefact that the test does not
+// rest on, it is.
+TEST(Traceability, NotesWhatTheDocumentsWarnOfByArtefact) {
+  SessionMaterial material = sound();
+  certificate_of(material).valid_until = "2026-03-09";
+  auto& artefacts = material.constraints.artefacts;
+  artefacts[0].reference_temperature = 68.0;
+  artefacts.push_back(artefacts[0]);
+  artefacts[1].name = "not read";
+  material.recording.arm.probes[0].radius = 1e-9;
+  material.specification.u_fixture = 1.0;  // implausible too, but nothing that the documents' warnings are about
+  const auto warnings = document_warnings(material.recording, artefacts);
+  ASSERT_EQ(warnings.size(), 5u) << "two of each artefact, one of the recording";
+  for (const bool is_waived : {false, true}) {
+    if (is_waived) {
+      material.specification.waived = {Evidence::CertificateLapsed, Evidence::PlausibleValues};
+    }
+    const Verification result = verify_iso10360_12(material.session()).value();
+    for (const DocumentWarning& warning : warnings) {
+      EXPECT_EQ(is_noted(result, warning), warning.about != (Subject{Subject::Kind::Artefact, 1})) << warning.text;
+    }
+    EXPECT_FALSE(is_noted(result, {DocumentWarning::Kind::CertificateNotYetValid, {Subject::Kind::Artefact, 0}, ""}));
+  }
+}
+
 // Ten readings of the identification, of which a test takes some, in another unit and order.
 TEST(Traceability, AnArmIsNotJudgedByAnyReadingThatItWasIdentifiedFrom) {
   Recording all;
