@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identification/evaluation/judgement.h"
 #include "identification/identify.h"
 #include "tests/support/probing/outcome.h"
 
@@ -76,6 +77,14 @@ TEST(Misfit, ARefusalHasItsKindAndItsParts) {
   options = stated(0.015);
   options.hold = {"nothing"};
   EXPECT_EQ(identify(sound.recording, sound.constraints, options).error().kind, ErrorKind::Other);
+}
+
+// Of several misfits the first tells most; of one, the message itself without what it begins with.
+TEST(Misfit, TheReasonOfSeveralIsTheFirst) {
+  const Error several = misfit_error({"the lengths are 5 mm off", "the centres scatter"}, 2, {});
+  EXPECT_EQ(several.reason, "the lengths are 5 mm off");
+  EXPECT_THAT(several.found, HasSubstr("the lengths are 5 mm off; the centres scatter (2 initial alignments tried)"));
+  EXPECT_EQ(misfit_error({"the centres scatter"}, 1, {}).reason, "the centres scatter (1 initial alignment tried)");
 }
 
 TEST(Misfit, IsWrittenWhereThatIsAsked) {
