@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/archive.h"
+#include "tests/end_to_end/store/sqlite_rows.h"
 
 namespace artcal {
 namespace {
@@ -259,7 +260,10 @@ TEST_F(Batch, CtrlCKeepsWhatIsDoneAndSaysHowToGoOn) {
   }
   const std::vector<std::string> command{"batch", "archive", "--store", "s", "--jobs", "1", "--resume"};
   const pid_t child = start(command);
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  // In the middle, however fast the machine is: its first result is stored.
+  for (int i = 0; i < 2000 && testing::sqlite_rows(file("s"), "SELECT * FROM identifications") < 1; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   ::kill(child, SIGINT);
   const Ended ended = wait_for(child);
   ASSERT_EQ(ended.exit_code, 130) << ended.err;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/end_to_end/archive.h"
+#include "tests/end_to_end/store/sqlite_rows.h"
 #include "tests/support/postgresql_server.h"
 
 namespace artcal {
@@ -16,19 +17,7 @@ namespace {
 
 using testing::Ended;
 using ::testing::HasSubstr;
-
-// Rows that a query gives, by SQLite itself; -1 where it is refused.
-int sqlite_rows(const std::filesystem::path& store, const std::string& sql) {
-  sqlite3* database = nullptr;
-  int rows = -1;
-  if (sqlite3_open_v2(store.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
-    rows = 0;
-    const auto count = [](void* counted, int, char**, char**) { return ++*static_cast<int*>(counted), 0; };
-    rows = sqlite3_exec(database, sql.c_str(), count, &rows, nullptr) == SQLITE_OK ? rows : -1;
-  }
-  sqlite3_close(database);
-  return rows;
-}
+using testing::sqlite_rows;
 
 std::vector<std::string> documented_queries() {
   std::istringstream lines(testing::read_all(std::string(ARTCAL_SOURCE_DIR) + "/docs/store.md"));
