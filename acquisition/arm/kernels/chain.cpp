@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "core/kernels/kernel_variants.h"
+#include "core/kernels/unaligned.h"
 
 namespace artcal {
 namespace {
 
-using Two = double __attribute__((vector_size(16), may_alias, aligned(8)));
-using Four = double __attribute__((vector_size(32), may_alias, aligned(8)));
-using Eight = double __attribute__((vector_size(64), may_alias, aligned(8)));
+using Two = double __attribute__((vector_size(16)));
+using Four = double __attribute__((vector_size(32)));
+using Eight = double __attribute__((vector_size(64)));
 
 template <typename V>
 struct Vector {
@@ -43,9 +44,9 @@ template <typename V>
 [[gnu::always_inline]] inline void put(double* derivative, int column, const Vector<V>& value) {
   if (column >= 0) {
     double* out = derivative + 3 * postures_at_once * column;
-    *reinterpret_cast<V*>(out) = value.x;
-    *reinterpret_cast<V*>(out + postures_at_once) = value.y;
-    *reinterpret_cast<V*>(out + 2 * postures_at_once) = value.z;
+    unaligned_at<V>(out).numbers = value.x;
+    unaligned_at<V>(out + postures_at_once).numbers = value.y;
+    unaligned_at<V>(out + 2 * postures_at_once).numbers = value.z;
   }
 }
 
@@ -64,10 +65,10 @@ template <typename V>
     const ChainLink& link = chain.links[i];
     Frame<V>& frame = frames[i];
     V d = zero + link.d;
-    V sin_q = link.sign * *reinterpret_cast<const V*>(sines + 2 * i * postures_at_once);
-    V cos_q = *reinterpret_cast<const V*>(sines + (2 * i + 1) * postures_at_once);
+    V sin_q = link.sign * unaligned_at<V>(sines + 2 * i * postures_at_once).numbers;
+    V cos_q = unaligned_at<V>(sines + (2 * i + 1) * postures_at_once).numbers;
     if (link.is_prismatic) {
-      d = d + link.sign * *reinterpret_cast<const V*>(q + i * postures_at_once);
+      d = d + link.sign * unaligned_at<V>(q + i * postures_at_once).numbers;
       sin_q = zero;
       cos_q = one;
     }
@@ -103,9 +104,9 @@ template <typename V>
   const double* tip = chain.tip_in_last;
   p = {p.x + (tip[0] * x.x + tip[1] * y.x + tip[2] * z.x), p.y + (tip[0] * x.y + tip[1] * y.y + tip[2] * z.y),
        p.z + (tip[0] * x.z + tip[1] * y.z + tip[2] * z.z)};
-  *reinterpret_cast<V*>(tips) = p.x;
-  *reinterpret_cast<V*>(tips + postures_at_once) = p.y;
-  *reinterpret_cast<V*>(tips + 2 * postures_at_once) = p.z;
+  unaligned_at<V>(tips).numbers = p.x;
+  unaligned_at<V>(tips + postures_at_once).numbers = p.y;
+  unaligned_at<V>(tips + 2 * postures_at_once).numbers = p.z;
   if (derivative == nullptr) {
     return;
   }

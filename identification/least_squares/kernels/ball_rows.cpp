@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/kernels/kernel_variants.h"
+#include "core/kernels/unaligned.h"
 
 namespace artcal {
 namespace {
@@ -11,31 +12,24 @@ constexpr int lane_count = 8;
 constexpr int columns_of_a_block = 8;
 
 // Eight numbers; the compiler makes as many instructions of an operation as the instruction set needs.
-using Lanes = double __attribute__((vector_size(64), may_alias, aligned(8)));
-
-[[gnu::always_inline]] inline const Lanes& lanes_at(const double* from) {
-  return *reinterpret_cast<const Lanes*>(from);
-}
-[[gnu::always_inline]] inline void put_lanes(const Lanes& numbers, double* to) {
-  *reinterpret_cast<Lanes*>(to) = numbers;
-}
+using Lanes = double __attribute__((vector_size(64)));
 
 [[gnu::always_inline]] inline void put_all(const BallReadings& readings, const double* scale, int count,
                                            std::ptrdiff_t stride, double* residuals, double* by_centre,
                                            double* by_arm) {
-  const Lanes x = lanes_at(readings.tips) - readings.centre[0];
-  const Lanes y = lanes_at(readings.tips + lane_count) - readings.centre[1];
-  const Lanes z = lanes_at(readings.tips + 2 * lane_count) - readings.centre[2];
+  const Lanes x = unaligned_at<Lanes>(readings.tips).numbers - readings.centre[0];
+  const Lanes y = unaligned_at<Lanes>(readings.tips + lane_count).numbers - readings.centre[1];
+  const Lanes z = unaligned_at<Lanes>(readings.tips + 2 * lane_count).numbers - readings.centre[2];
   alignas(64) double lengths[lane_count];
-  put_lanes((x * x + y * y) + z * z, lengths);
+  unaligned_at<Lanes>(lengths).numbers = (x * x + y * y) + z * z;
   bool is_at_centre = false;
   for (double& length : lengths) {
     length = std::sqrt(length);
     is_at_centre = is_at_centre || !(length > 0.0);
   }
-  const Lanes length = lanes_at(lengths);
-  const Lanes weight = lanes_at(readings.weights);
-  const Lanes value = weight * (length - lanes_at(readings.lengths));
+  const Lanes length = unaligned_at<Lanes>(lengths).numbers;
+  const Lanes weight = unaligned_at<Lanes>(readings.weights).numbers;
+  const Lanes value = weight * (length - unaligned_at<Lanes>(readings.lengths).numbers);
   // At the centre itself the direction is undefined; any one will do to leave it.
   Lanes along_x = x / length;
   Lanes along_y = y / length;
@@ -51,10 +45,10 @@ using Lanes = double __attribute__((vector_size(64), may_alias, aligned(8)));
   const Lanes wy = weight * along_y;
   const Lanes wz = weight * along_z;
   alignas(64) double block[columns_of_a_block][lane_count];
-  put_lanes(value, block[0]);
-  put_lanes(-wx, block[1]);
-  put_lanes(-wy, block[2]);
-  put_lanes(-wz, block[3]);
+  unaligned_at<Lanes>(block[0]).numbers = value;
+  unaligned_at<Lanes>(block[1]).numbers = -wx;
+  unaligned_at<Lanes>(block[2]).numbers = -wy;
+  unaligned_at<Lanes>(block[3]).numbers = -wz;
   for (int i = 0; i < count; ++i) {
     residuals[i * stride] = block[0][i];
     for (int k = 0; by_centre != nullptr && k < 3; ++k) {
@@ -68,9 +62,9 @@ using Lanes = double __attribute__((vector_size(64), may_alias, aligned(8)));
     const int end = readings.columns - first < columns_of_a_block ? readings.columns - first : columns_of_a_block;
     for (int c = 0; c < end; ++c) {
       const double* d = readings.derivative + 3 * lane_count * (first + c);
-      put_lanes(
-          scale[first + c] * (wx * lanes_at(d) + wy * lanes_at(d + lane_count) + wz * lanes_at(d + 2 * lane_count)),
-          block[c]);
+      unaligned_at<Lanes>(block[c]).numbers =
+          scale[first + c] * (wx * unaligned_at<Lanes>(d).numbers + wy * unaligned_at<Lanes>(d + lane_count).numbers +
+                              wz * unaligned_at<Lanes>(d + 2 * lane_count).numbers);
     }
     for (int i = 0; i < count; ++i) {
       double* out = by_arm + i * stride + first;

@@ -19,7 +19,7 @@ NormalTriangle::NormalTriangle(int columns)
 
 void NormalTriangle::add(const RowsRef& rows) {
   for (Eigen::Index r = 0; r < rows.rows(); ++r) {
-    double* to = waiting_[0].numbers + filled_ * padded_;
+    double* to = waiting_[static_cast<std::size_t>(filled_ * padded_ / 8)].numbers;
     const double* from = rows.row(r);
     if (rows.column_stride() == 1) {
       std::copy_n(from, columns_, to);

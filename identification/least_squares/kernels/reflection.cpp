@@ -1,13 +1,14 @@
 #include "identification/least_squares/kernels/reflection.h"
 
 #include "core/kernels/kernel_variants.h"
+#include "core/kernels/unaligned.h"
 
 namespace artcal {
 namespace {
 
 // Eight numbers; the compiler makes as many instructions of an operation as the instruction set needs.
 using Eight = double __attribute__((vector_size(64), may_alias));
-using Four = double __attribute__((vector_size(32), may_alias, aligned(8)));
+using Four = double __attribute__((vector_size(32)));
 
 // `width` groups at once: their sums do not wait for one another.
 template <int width>
@@ -23,11 +24,11 @@ template <int width>
   Eight along[width];
 #pragma GCC unroll 8
   for (int g = 0; g < width; ++g) {
-    auto& own = *reinterpret_cast<Four*>(row + 4 * g);
+    auto& own = unaligned_at<Four>(row + 4 * g);
     const Four upper = __builtin_shufflevector(sums[g], sums[g], 0, 2, 4, 6);
     const Four lower = __builtin_shufflevector(sums[g], sums[g], 1, 3, 5, 7);
-    const Four by = twice * (upper + lower + own);
-    own -= by;
+    const Four by = twice * (upper + lower + own.numbers);
+    own.numbers -= by;
     along[g] = __builtin_shufflevector(by, by, 0, 0, 1, 1, 2, 2, 3, 3);
   }
   for (int p = 0; p < pairs; ++p) {

@@ -80,10 +80,11 @@ TEST(Gram, IsFactoredToTheSameBytesWithEveryInstructionSet) {
     const auto expected = factor_of({first, first + columns * columns}, size, columns);
     for (const GramFactorVariant& variant : gram_factor_variants()) {
       auto factor = gram;
-      variant.factor(factor.front().numbers, size, columns);
+      double* found = factor.front().numbers;
+      variant.factor(found, size, columns);
       for (int i = 0; i < size; ++i) {
         for (int j = i; j < size; ++j) {
-          ASSERT_EQ(factor.front().numbers[i * columns + j], expected[static_cast<std::size_t>(i * columns + j)])
+          ASSERT_EQ(found[i * columns + j], expected[static_cast<std::size_t>(i * columns + j)])
               << variant.instructions << ", " << size << " at " << i << ", " << j;
         }
       }
