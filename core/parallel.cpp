@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -75,6 +76,19 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
       item(i);
     }
   });
+}
+
+void side_by_side(const std::function<void()>& aside, const std::function<void()>& work) {
+  std::future<void> done;
+  if (thread_count(0, 2) > 1) {
+    try {
+      done = std::async(std::launch::async, aside);
+    } catch (const std::system_error&) {
+      // No thread: one after the other.
+    }
+  }
+  work();
+  done.valid() ? done.get() : aside();
 }
 
 }  // namespace artcal

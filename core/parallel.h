@@ -31,6 +31,10 @@ void on_threads(int threads, const std::function<void()>& work);
 /// threads where each item writes to a place of its own.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& item);
 
+/// Calls `aside` on a thread of its own, where there may be one, while `work` on the caller's shares itself out on
+/// threads as it likes; returns when both have. An exception of either is thrown again here.
+void side_by_side(const std::function<void()>& aside, const std::function<void()>& work);
+
 /// Calls block(begin, end) for [0, count) cut into blocks of `size`, side by side on as many threads as the machine
 /// has; one block alone at once, without any of that. The blocks do not depend on the number of threads: sums of each,
 /// added in the order of the blocks, have the same digits on one thread and on many.

@@ -1,8 +1,5 @@
 #include "acquisition/point_cloud/point_cloud.h"
 
-#include <functional>
-#include <future>
-#include <system_error>
 #include <utility>
 
 #include "acquisition/coincidence/coincident_points.h"
@@ -13,23 +10,6 @@
 #include "core/parallel.h"
 
 namespace artcal {
-namespace {
-
-// `aside` on a thread of its own, where there may be one, while `work` shares itself out on threads as it likes.
-void side_by_side(const std::function<void()>& aside, const std::function<void()>& work) {
-  std::future<void> done;
-  if (thread_count(0, 2) > 1) {
-    try {
-      done = std::async(std::launch::async, aside);
-    } catch (const std::system_error&) {
-      // No thread: one after the other.
-    }
-  }
-  work();
-  done.valid() ? done.get() : aside();
-}
-
-}  // namespace
 
 Expected<ReadCloud> read_cloud(const std::filesystem::path& path, const CloudUnits& units, const TextColumns& columns) {
   return read_cloud(path, units, columns, {});

@@ -58,5 +58,24 @@ TEST(Parallel, AnExceptionReachesTheCallerWhenAllHaveReturned) {
   EXPECT_EQ(returned, 4);
 }
 
+TEST(Parallel, WhatIsDoneAsideTakesNoThreadsFromTheWork) {
+  bool done_aside = false;
+  int of_work = 0;
+  side_by_side([&] { done_aside = true; }, [&] { of_work = thread_count(0, 1000); });
+  EXPECT_TRUE(done_aside);
+  EXPECT_EQ(of_work, thread_count(0, 1000));
+  const OneThreadOnly inside;
+  std::string order;
+  side_by_side([&] { order += "aside"; }, [&] { order += "work, "; });
+  EXPECT_EQ(order, "work, aside");
+}
+
+TEST(Parallel, AnExceptionOfEitherSideReachesTheCaller) {
+  const auto nothing = [] {};
+  const auto fails = [] { throw std::runtime_error("of one side"); };
+  EXPECT_THROW(side_by_side(fails, nothing), std::runtime_error);
+  EXPECT_THROW(side_by_side(nothing, fails), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace artcal
