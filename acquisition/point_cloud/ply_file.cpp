@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "acquisition/point_cloud/ply_header.h"
-#include "acquisition/point_cloud/text_rows.h"
+#include "acquisition/point_cloud/promised_rows.h"
 #include "core/text/in_quotes.h"
 
 namespace artcal {
@@ -70,26 +70,12 @@ Expected<PointCloud> read_ascii(Ply& ply, const CloudUnits& units) {
     return too_short(ply, *ply.vertex);
   }
   CloudBuilder builder(units, ply.columns.size(), ply.vertex->count);
-  std::vector<double> record(ply.columns.size());
-  for (std::size_t i = 0; i < ply.vertex->count; ++i) {
-    if (const auto many = rows.take_many(ply.columns, width, ply.vertex->count - i); !many.empty()) {
-      const std::size_t count = many.size() / ply.columns.size();
-      builder.add(many.data(), count);
-      i += count - 1;
-      continue;
-    }
-    if (!rows.next()) {
-      return too_short(ply, *ply.vertex);
-    }
-    if (rows.fields().size() != width) {
-      return bad_input(
-          fmt::format("the line has {} numbers, expected {} as the header says", rows.fields().size(), width),
-          rows.where());
-    }
-    if (auto read = rows.numbers(ply.columns, record.data()); !read) {
-      return tl::unexpected(read.error());
-    }
-    builder.add(record.data());
+  const auto taken = take_promised_rows(rows, ply.columns, width, ply.vertex->count, builder);
+  if (!taken) {
+    return tl::unexpected(taken.error());
+  }
+  if (*taken < ply.vertex->count) {
+    return too_short(ply, *ply.vertex);
   }
   if (ply.vertex == &ply.header.elements.back() && rows.next()) {
     return bad_input(fmt::format("the header promises {} points, but the file goes on after them", ply.vertex->count),

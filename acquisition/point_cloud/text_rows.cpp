@@ -19,6 +19,17 @@ constexpr std::size_t block_size = std::size_t{1} << 19;
 constexpr std::size_t max_blocks = 32;
 constexpr std::size_t worth_threads = 2 * block_size;
 
+// Whole lines from the front of a text that is not empty.
+std::vector<std::string_view> first_blocks(std::string_view text) {
+  std::vector<std::string_view> blocks;
+  while (blocks.size() < max_blocks && !text.empty()) {
+    const std::size_t end = text.find('\n', std::min(block_size, text.size()) - 1);
+    blocks.push_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
+    text.remove_prefix(blocks.back().size());
+  }
+  return blocks;
+}
+
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 bool is_digit_or_point(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-'; }
@@ -182,12 +193,10 @@ std::vector<double> TextRows::take_many(const std::vector<std::size_t>& columns,
       watch_.watches()) {
     return {};
   }
-  std::vector<std::string_view> blocks;
+  const std::vector<std::string_view> blocks = first_blocks(rest_);
   std::string_view left = rest_;
-  while (blocks.size() < max_blocks && !left.empty()) {
-    const std::size_t end = left.find('\n', std::min(block_size, left.size()) - 1);
-    blocks.push_back(left.substr(0, end == std::string_view::npos ? end : end + 1));
-    left.remove_prefix(blocks.back().size());
+  for (const std::string_view block : blocks) {
+    left.remove_prefix(block.size());
   }
   struct Block {
     std::vector<double> numbers;

@@ -10,7 +10,7 @@
 
 #include "acquisition/point_cloud/pcd/lzf.h"
 #include "acquisition/point_cloud/pcd/pcd_header.h"
-#include "acquisition/point_cloud/text_rows.h"
+#include "acquisition/point_cloud/promised_rows.h"
 
 namespace artcal {
 namespace {
@@ -65,26 +65,12 @@ Expected<PointCloud> read_ascii(Pcd& pcd, const CloudUnits& units) {
   for (const std::size_t field : pcd.fields) {
     columns.push_back(header.fields[field].first_number);
   }
-  std::vector<double> record(columns.size());
-  for (std::size_t i = 0; i < header.points; ++i) {
-    if (const auto many = rows.take_many(columns, header.record_numbers, header.points - i); !many.empty()) {
-      const std::size_t count = many.size() / columns.size();
-      builder.add(many.data(), count);
-      i += count - 1;
-      continue;
-    }
-    if (!rows.next()) {
-      return bad_input(fmt::format("{}, the file ends after {}; is it truncated?", promise(header), i), pcd.path);
-    }
-    if (rows.fields().size() != header.record_numbers) {
-      return bad_input(fmt::format("the line has {} numbers, expected {} as the header says", rows.fields().size(),
-                                   header.record_numbers),
-                       rows.where());
-    }
-    if (auto read = rows.numbers(columns, record.data()); !read) {
-      return tl::unexpected(read.error());
-    }
-    builder.add(record.data());
+  const auto taken = take_promised_rows(rows, columns, header.record_numbers, header.points, builder);
+  if (!taken) {
+    return tl::unexpected(taken.error());
+  }
+  if (*taken < header.points) {
+    return bad_input(fmt::format("{}, the file ends after {}; is it truncated?", promise(header), *taken), pcd.path);
   }
   if (rows.next()) {
     return bad_input(fmt::format("{}, but the file goes on after them", promise(header)), rows.where());
