@@ -281,9 +281,9 @@ Solution solve(const System& system, const Weights& weights, const Eigen::Vector
   }
   KinematicsAt kinematics_by_probe(system);
   LastStep last_step(numbers, options.still);
-  const LastStep* asked = options.linearise_solution ? nullptr : &last_step;
+  LastStep* const asked = options.linearise_solution ? nullptr : &last_step;
   ceres::Problem::Options problem_options;
-  problem_options.evaluation_callback = options.linearise_solution ? nullptr : &last_step;
+  problem_options.evaluation_callback = asked;
   ceres::Problem problem(problem_options);
   ceres::Solver::Options ceres_options = solver_options(options);
   StopWhenStill stop_when_still(options.still, asked);
