@@ -248,7 +248,7 @@ std::optional<Bottom> descend(const Points& points, const Eigen::Vector3d& origi
 }
 
 bool is_plain(const Points& points, const FitOptions& options) {
-  constexpr Eigen::Index fewest = 6;
+  constexpr Eigen::Index fewest = 5;
   return points.cols() >= fewest && points.outerStride() == 3 && options.criterion == Criterion::LeastSquares &&
          options.weights.size() == 0 && !(options.fixed_radius && options.tip_radius > 0.0);
 }
@@ -281,9 +281,12 @@ std::optional<Fitted<Sphere>> fit_plain_sphere(const Points& points, const FitOp
   fitted.noise = options.noise.value_or(std::sqrt(residuals.dd / fitted.degrees_of_freedom));
   fitted.covariance = *fitted.noise * *fitted.noise * bottom->inverse;
   fitted.steps = bottom->steps;
-  // Far from told, or wildly scattered: not plain.
+  // Far from told, wildly scattered, or told by what may be scatter alone (on_one_circle() in sphere.cpp): not plain.
+  constexpr double sure = 3.0;
+  const double scatter = *fitted.noise / fitted.feature.radius;
+  const bool is_sure = sure * sure * scatter * scatter * count * bottom->inverse.norm() < 1.0;
   if (!(std::sqrt(fitted.covariance->diagonal().maxCoeff()) < 0.1 * fitted.feature.radius &&
-        fitted.rms < 0.1 * fitted.feature.radius)) {
+        fitted.rms < 0.1 * fitted.feature.radius && is_sure)) {
     return std::nullopt;
   }
   return fitted;
