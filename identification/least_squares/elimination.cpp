@@ -50,8 +50,12 @@ struct Part {
 
 class Elimination {
  public:
-  Elimination(const Linearisation& linearisation, int trailing, std::vector<EliminatedRows>* eliminated)
-      : linearisation_(linearisation), trailing_(trailing), eliminated_(eliminated), root_(trailing) {}
+  Elimination(const Linearisation& linearisation, int trailing, std::vector<EliminatedRows>* eliminated,
+              Folding folding)
+      : linearisation_(linearisation),
+        trailing_(trailing),
+        eliminated_(eliminated),
+        root_(trailing, folding, trailing + 1) {}  // however few rows come, it is a triangle
 
   Eigen::MatrixXd triangle() {
     index_blocks();
@@ -63,7 +67,7 @@ class Elimination {
     for (const Component& component : components_of(linearisation_.blocks)) {
       take_out(component);
     }
-    return root_.triangle();
+    return root_.rows();
   }
 
  private:
@@ -111,6 +115,7 @@ class Elimination {
       beside.emplace_back(static_cast<int>(run.size) + trailing_);
     }
     RowStack common(static_cast<int>(size_of(interface)) + trailing_);
+    RowStack& left_of_leaves = interface.empty() ? root_ : common;
     std::vector<Eigen::Index> starts{0};
     for (const Run& run : interface) {
       starts.push_back(starts.back() + run.size);
@@ -122,7 +127,7 @@ class Elimination {
       for (const BlockRows* block : blocks) {
         of_leaf.push_back({interface_of(*block), block});
       }
-      take_out_leaf(leaves[i], by_groups, of_leaf, interface, starts, beside, common);
+      take_out_leaf(leaves[i], by_groups, of_leaf, interface, starts, beside, left_of_leaves);
     }
     // Rows without a leaf: certificates where groups are the leaves, a group's other readings where parameters are.
     const auto add_beside = [&](const BlockRows* block, int at) {
@@ -138,11 +143,9 @@ class Elimination {
       }
       common.add(scattered(beside[i].rows(), interface[i].size, {{0, starts[i]}}, {interface[i].size}, starts.back()));
     }
-    if (interface.empty()) {
-      root_.add(common.rows());
-      return;
+    if (!interface.empty()) {
+      root_.add(eliminate(common.rows(), interface, {}));
     }
-    root_.add(eliminate(common.rows(), interface, {}));
   }
 
   // Puts runs of leading columns elsewhere: `to` holds (first column here, first column there) of runs of these sizes.
@@ -158,7 +161,7 @@ class Elimination {
   }
 
   void take_out_leaf(const Run& leaf, bool by_groups, const std::vector<Part>& parts, const std::vector<Run>& interface,
-                     const std::vector<Eigen::Index>& starts, std::vector<RowStack>& beside, RowStack& common) {
+                     const std::vector<Eigen::Index>& starts, std::vector<RowStack>& beside, RowStack& left_of_leaves) {
     std::vector<int> seen;
     for (const Part& part : parts) {
       if (part.interface >= 0 && std::find(seen.begin(), seen.end(), part.interface) == seen.end()) {
@@ -198,7 +201,7 @@ class Elimination {
       to.emplace_back(rest_starts[i] - leaf.size, starts[seen[i]]);
       sizes.push_back(rest[i].size);
     }
-    common.add(scattered(left, width - leaf.size, to, sizes, starts.back()));
+    left_of_leaves.add(scattered(left, width - leaf.size, to, sizes, starts.back()));
   }
 
   // The rows of a block as [leaf | the other | trailing].
@@ -224,14 +227,24 @@ class Elimination {
     return reduced;
   }
 
+  // How many rows there are until all that follow are zero in the leading columns; of a triangle as many as columns.
+  static Eigen::Index rows_involving(const Eigen::MatrixXd& rows, Eigen::Index leading) {
+    Eigen::Index count = rows.rows();
+    while (count > 0 && (rows.row(count - 1).head(leading).array() == 0.0).all()) {
+      --count;
+    }
+    return count;
+  }
+
   // Takes the unknowns of `own` out of rows [own | rest | trailing]; returns what is left of [rest | trailing].
   Eigen::MatrixXd eliminate(const Eigen::MatrixXd& rows, const std::vector<Run>& own, const std::vector<Run>& rest) {
     const Eigen::Index size = size_of(own);
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.leftCols(size));
+    const Eigen::Index involved = rows_involving(rows, size);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows.topLeftCorner(involved, size));
     qr.setThreshold(independent);
     const Eigen::Index rank = qr.rank();
     Eigen::MatrixXd others = rows.rightCols(rows.cols() - size);
-    others.applyOnTheLeft(qr.householderQ().transpose());
+    others.topRows(involved).applyOnTheLeft(qr.householderQ().transpose());
     if (eliminated_ != nullptr) {
       EliminatedRows& out = eliminated_->emplace_back();
       const auto positions = positions_in_runs(own);
@@ -249,7 +262,7 @@ class Elimination {
   const Linearisation& linearisation_;
   int trailing_;
   std::vector<EliminatedRows>* eliminated_;
-  TriangularFactor root_;
+  RowStack root_;
   std::map<int, std::vector<const BlockRows*>> by_group_;
   std::map<int, int> size_of_group_;
   std::map<int, std::vector<const BlockRows*>> by_parameters_;
@@ -311,8 +324,8 @@ std::vector<Component> components_of(const std::vector<BlockRows>& blocks) {
 }
 
 Eigen::MatrixXd eliminate_nuisance(const Linearisation& linearisation, int trailing,
-                                   std::vector<EliminatedRows>* eliminated) {
-  return Elimination(linearisation, trailing, eliminated).triangle();
+                                   std::vector<EliminatedRows>* eliminated, Folding folding) {
+  return Elimination(linearisation, trailing, eliminated, folding).triangle();
 }
 
 }  // namespace artcal

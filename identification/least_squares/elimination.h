@@ -31,9 +31,11 @@ struct EliminatedRows {
 };
 
 /// The triangle of the first `trailing` columns after the nuisance unknowns, these projected out by Householder
-/// reflections, never by normal equations: its singular values are those of the Jacobian. The nuisance unknowns may be
-/// rank deficient. `eliminated` may receive the rows taken out on the way, in order.
+/// reflections: its singular values are those of the Jacobian, unless `folding` says that what is left of all blocks
+/// may go by normal equations. The nuisance unknowns may be rank deficient. `eliminated` may receive the rows taken out
+/// on the way, in order.
 Eigen::MatrixXd eliminate_nuisance(const Linearisation& linearisation, int trailing,
-                                   std::vector<EliminatedRows>* eliminated = nullptr);
+                                   std::vector<EliminatedRows>* eliminated = nullptr,
+                                   Folding folding = Folding::Reflections);
 
 }  // namespace artcal

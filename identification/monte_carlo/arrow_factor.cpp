@@ -23,11 +23,11 @@ bool is_regular(const Eigen::MatrixXd& triangle) {
 
 }  // namespace
 
-Expected<ArrowFactor> ArrowFactor::of(const Linearisation& linearisation) {
+Expected<ArrowFactor> ArrowFactor::of(const Linearisation& linearisation, Folding folding) {
   ArrowFactor factor;
   factor.layout_ = linearisation.layout;
   const Eigen::Index arm_size = factor.layout_.size - factor.layout_.arm;
-  factor.arm_ = eliminate_nuisance(linearisation, static_cast<int>(arm_size), &factor.eliminated_);
+  factor.arm_ = eliminate_nuisance(linearisation, static_cast<int>(arm_size), &factor.eliminated_, folding);
   for (const EliminatedRows& rows : factor.eliminated_) {
     if (rows.own.rows() < rows.own.cols()) {
       return no_solution("the readings of one placement do not determine where the artefact stood");

@@ -15,8 +15,8 @@ namespace artcal {
 /// it.
 class ArrowFactor {
  public:
-  /// No solution: some unknown or parameter is not determined.
-  static Expected<ArrowFactor> of(const Linearisation& linearisation);
+  /// No solution: some unknown or parameter is not determined. By normal equations for steps only.
+  static Expected<ArrowFactor> of(const Linearisation& linearisation, Folding folding = Folding::Reflections);
 
   /// δ with RᵀR·δ = gradient, and |R·δ|, its length in standard deviations where weights are their inverse.
   struct Step {

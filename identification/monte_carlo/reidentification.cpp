@@ -49,7 +49,7 @@ Reidentification::Answer Reidentification::solve(const System& drawn, Scratch& s
       const Linearisation here = linearise(drawn, fit_->weights, options_.loss, scratch.gradient.blocks,
                                            drawn.arm_at(numbers.data() + layout_.arm), unknowns_at(numbers),
                                            Folding::NormalEquations);  // for steps only
-      auto factor = ArrowFactor::of(here);
+      auto factor = ArrowFactor::of(here, Folding::NormalEquations);
       if (!factor) {
         break;
       }
