@@ -32,11 +32,13 @@ inline void put(double* derivative, int column, const Eigen::Vector3d& value) {
   }
 }
 
-// In the middle of the hottest loop there is; a call would cost as much as the turn.
+// In the middle of the hottest loop there is; a call would cost as much as the turn, and g++ calls Eigen's assignments.
 [[gnu::always_inline]] inline void turn(Eigen::Vector3d& first, Eigen::Vector3d& second, double sine, double cosine) {
-  const Eigen::Vector3d turned = cosine * first + sine * second;
-  second = cosine * second - sine * first;
-  first = turned;
+  for (int i = 0; i < 3; ++i) {
+    const double turned = cosine * first[i] + sine * second[i];
+    second[i] = cosine * second[i] - sine * first[i];
+    first[i] = turned;
+  }
 }
 
 /// Links that stay as they are: no multiplication in the hottest loop.
