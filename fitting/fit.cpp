@@ -99,15 +99,10 @@ std::optional<Fitted<F>> fit_chosen(const Points& points, const FitOptions& opti
       first_not_finite(points) >= 0) {
     return std::nullopt;
   }
-  std::vector<int> chosen;
-  for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    if (weights(i) == 1.0) {
-      chosen.push_back(static_cast<int>(i));
-    }
-  }
   FitOptions plain = options;
   plain.weights.resize(0);
-  auto fitted = fit_centres<F>(chosen_points(points, chosen), plain);
+  auto fitted = fit_centres<F>(
+      points_where(points, [&](std::size_t i) { return options.weights[static_cast<Eigen::Index>(i)] > 0.0; }), plain);
   if (!fitted) {
     return std::nullopt;
   }

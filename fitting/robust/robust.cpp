@@ -129,23 +129,13 @@ class Search {
   [[nodiscard]] Expected<Fitted<F>> fit_kept() const {
     FitOptions options = options_;
     if (points_.cols() > many_points && weights_.size() == 0) {
-      return fit<F>(chosen_points(points_, kept_columns()), options);
+      return fit<F>(points_where(points_, [&](std::size_t i) { return kept_[i]; }), options);
     }
     options.weights = weights_.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Ones(points_.cols())) : weights_;
     for (Eigen::Index i = 0; i < points_.cols(); ++i) {
       options.weights(i) *= kept_[static_cast<std::size_t>(i)] ? 1.0 : 0.0;
     }
     return fit<F>(points_, options);
-  }
-
-  [[nodiscard]] std::vector<int> kept_columns() const {
-    std::vector<int> columns;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      if (kept_[i]) {
-        columns.push_back(static_cast<int>(i));
-      }
-    }
-    return columns;
   }
 
   void keep_nearest(Eigen::Index count) {
@@ -304,17 +294,9 @@ Expected<void> check_count(const DistinctPoints& distinct, const FitOptions& opt
       Known<F>::requirement.feature, needed, distinct.points().cols()));
 }
 
-}  // namespace
-
+// Which points do not belong, in their order. What the search needs is gone when the others are fitted.
 template <typename F>
-Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& options, const RobustOptions& robust) {
-  if (auto checked = check(options, robust); !checked) {
-    return tl::unexpected(checked.error());
-  }
-  // What is wrong with the points or the options is said by the plain fit, outliers or not.
-  if (const auto plain = fit<F>(points, options); !plain && plain.error().code != ErrorCode::NoSolution) {
-    return tl::unexpected(plain.error());
-  }
+Expected<std::vector<int>> find_outliers(const Points& points, const FitOptions& options, const RobustOptions& robust) {
   const DistinctPoints distinct(points, options.weights);
   if (auto enough = check_count<F>(distinct, options); !enough) {
     return tl::unexpected(enough.error());
@@ -327,25 +309,42 @@ Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& opt
   }
   const std::vector<bool> kept =
       Search<F>(distinct.points(), distinct.weights(), options, robust.limit).from(*start, sound);
-  FitOptions last = options;
-  RobustFitted<F> result;
+  std::vector<int> outliers;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const int which = distinct.of(static_cast<std::size_t>(i));
     if (which >= 0 && !kept[static_cast<std::size_t>(which)]) {
-      result.outliers.push_back(static_cast<int>(i));
+      outliers.push_back(static_cast<int>(i));
     }
   }
-  if (!result.outliers.empty()) {
+  return outliers;
+}
+
+}  // namespace
+
+template <typename F>
+Expected<RobustFitted<F>> fit_robust(const Points& points, const FitOptions& options, const RobustOptions& robust) {
+  if (auto checked = check(options, robust); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  // What is wrong with the points or the options is said by the plain fit, outliers or not.
+  if (const auto plain = fit<F>(points, options); !plain && plain.error().code != ErrorCode::NoSolution) {
+    return tl::unexpected(plain.error());
+  }
+  auto outliers = find_outliers<F>(points, options, robust);
+  if (!outliers) {
+    return tl::unexpected(outliers.error());
+  }
+  FitOptions last = options;
+  if (!outliers->empty()) {
     last.weights =
         options.weights.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Ones(points.cols())) : options.weights;
-    last.weights(result.outliers).setZero();
+    last.weights(*outliers).setZero();
   }
   auto fitted = fit<F>(points, last);
   if (!fitted) {
     return tl::unexpected(fitted.error());
   }
-  result.fitted = std::move(*fitted);
-  return result;
+  return RobustFitted<F>{std::move(*fitted), std::move(*outliers)};
 }
 
 template Expected<RobustFitted<Sphere>> fit_robust(const Points&, const FitOptions&, const RobustOptions&);
