@@ -38,7 +38,7 @@ std::string warning_of(const GoodnessOfFit& goodness_of_fit, double scale_factor
   }
   if (goodness_of_fit.chi_squared < goodness_of_fit.low) {
     return fmt::format(
-        "the residuals are only {:.2f} times the stated noise: the noise is stated too large, and so are the standard "
+        "the residuals are only {:.2g} times the stated noise: the noise is stated too large, and so are the standard "
         "uncertainties",
         goodness_of_fit.ratio);
   }
