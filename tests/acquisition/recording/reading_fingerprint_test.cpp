@@ -21,6 +21,8 @@ TEST(ReadingFingerprint, IsTheHashOfWholeMicroradians) {
   EXPECT_EQ(reading_fingerprint(Eigen::Vector3d(1.0, -2.0, -1e-8)), "bbfa5a23e625");
   EXPECT_EQ(reading_fingerprint(Eigen::Vector3d(1.0 + 4e-7, -2.0, 0.0)), "bbfa5a23e625");
   EXPECT_NE(reading_fingerprint(Eigen::Vector3d(1.0 + 6e-7, -2.0, 0.0)), "bbfa5a23e625");
+  // printf '10000000000000000 0 -2000000000 ' | sha256sum
+  EXPECT_EQ(reading_fingerprint(Eigen::Vector3d(1e10, -1e-7, -2000.0)), "49d3ae64e2d5");
   EXPECT_EQ(reading_fingerprint(Eigen::Vector3d(1.0, NAN, 0.0)), "");
   EXPECT_EQ(reading_fingerprint(Eigen::VectorXd()), "");
 }
