@@ -101,6 +101,25 @@ TEST(Elimination, TheArmsTriangleIsThatOfTheRowsWithTheNuisanceProjectedOut) {
   }
 }
 
+// Of rows that were folded already, and that see some unknowns only.
+TEST(Elimination, RowsThatAreATriangleGiveWhatTheRowsBehindThemGive) {
+  for (const Artefacts& artefacts : kinds) {
+    Linearisation linearisation = random_linearisation(artefacts);
+    const Eigen::MatrixXd expected = eliminate_nuisance(linearisation, arm_size + 1);
+    for (BlockRows& block : linearisation.blocks) {
+      if (block.rows.rows() > block.rows.cols()) {
+        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(block.rows);
+        block.rows = qr.matrixQR().topRows(block.rows.cols()).triangularView<Eigen::Upper>();
+      }
+    }
+    for (const Folding folding : {Folding::Reflections, Folding::NormalEquations}) {
+      const Eigen::MatrixXd found = eliminate_nuisance(linearisation, arm_size + 1, nullptr, folding);
+      EXPECT_LT((found.transpose() * found - expected.transpose() * expected).norm(), 1e-11 * expected.squaredNorm());
+      EXPECT_TRUE(found.isUpperTriangular(0.0));
+    }
+  }
+}
+
 TEST(Elimination, NuisanceUnknownsMayBeRankDeficient) {
   Linearisation linearisation = random_linearisation({{{3, 7}}}, false);
   for (BlockRows& block : linearisation.blocks) {
@@ -143,6 +162,18 @@ TEST(ArrowFactor, SolvesAsTheDenseNormalMatrixDoes) {
       EXPECT_LT((block.rows.leftCols(block.rows.cols() - 1) * solved - half.transpose() * half).norm(), 1e-9);
       EXPECT_LT((solved.bottomRows(arm_size) - (inverse * rows.transpose()).bottomRows(arm_size)).norm(), 1e-9);
     }
+  }
+}
+
+TEST(ArrowFactor, ByNormalEquationsItsStepsAreTheSameToHalfOfTheDigits) {
+  for (const Artefacts& artefacts : kinds) {
+    const Linearisation linearisation = random_linearisation(artefacts);
+    const Eigen::MatrixXd all = dense(linearisation);
+    const Eigen::VectorXd gradient_there = all.leftCols(linearisation.layout.size).transpose() * all.rightCols<1>();
+    const Eigen::VectorXd expected = ArrowFactor::of(linearisation)->solve(gradient_there).numbers;
+    const auto factor = ArrowFactor::of(linearisation, Folding::NormalEquations);
+    ASSERT_TRUE(factor) << factor.error().text();
+    EXPECT_LT((factor->solve(gradient_there).numbers - expected).norm(), 1e-8 * expected.norm());
   }
 }
 
