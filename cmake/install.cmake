@@ -66,4 +66,5 @@ foreach(component_and_package IN LISTS packages)
   install(FILES CHANGELOG.md DESTINATION ${doc_dir} COMPONENT ${component})
 endforeach()
 
+include(cmake/licences.cmake)
 include(cmake/packages.cmake)

@@ -40,9 +40,14 @@ expect_package(libartcal-dev
         "/usr/lib/.*libartcal_acquisition\\.a" "/usr/lib/.*/cmake/artcal/artcalConfig\\.cmake"
         "/usr/share/doc/libartcal-dev/copyright")
 if(HAS_PROGRAM)
+  set(notice "") # where the system has it
+  if(EXISTS /usr/share/doc/libceres-dev/copyright)
+    set(notice "/usr/share/doc/artcal/licences/libceres-dev")
+  endif()
   expect_package(artcal CONTROL "Package: artcal\n" "Section: science" "Depends: [^\n]*libc6[^\n]*libstdc"
                  FILES "\\./usr/bin/artcal" "/usr/share/doc/artcal/copyright" "/usr/share/artcal/examples/ball-bar/recording\\.toml"
-                       "/usr/share/doc/artcal/README\\.md" "/usr/share/doc/artcal/docs/files\\.md"
+                       "/usr/share/doc/artcal/README\\.md" ${notice}
+                       "/usr/share/doc/artcal/docs/files\\.md"
                        "/usr/share/man/man1/artcal\\.1\\.gz" "/usr/share/man/man1/artcal-identify\\.1\\.gz"
                        "/usr/share/bash-completion/completions/artcal" "/usr/share/zsh/vendor-completions/_artcal"
                        "/usr/share/fish/vendor_completions\\.d/artcal\\.fish")
