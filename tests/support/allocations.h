@@ -4,14 +4,11 @@
 #include <cstddef>
 #include <cstdlib>
 
+#include "tests/support/sanitized.h"
+
 /// Counts calls of malloc, those of operator new and of Eigen included, in the one test program whose
 /// one source file includes this. Sanitizers bring their own malloc; there `counts_allocations` is false.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ARTCAL_HAS_OWN_MALLOC
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#if defined(ARTCAL_IS_SANITIZED) || !defined(__GLIBC__)
 #define ARTCAL_HAS_OWN_MALLOC
 #endif
 
