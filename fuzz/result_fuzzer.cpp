@@ -1,13 +1,8 @@
-// A result given to artcal report or to artcal verify --against: shown, or refused in a sentence. The page around the
-// report, which holds nothing of the result but its markup and its figures, is left out.
-#include "app/report/page.h"
+// A result given to artcal report or to artcal verify --against: shown, or refused in a sentence. As a page of a batch,
+// whose plots are not in it.
 #include "app/report/report.h"
 #include "app/results/verification/earlier_values.h"
 #include "fuzz/check.h"
-
-std::string artcal::page_html(const Page& page) {
-  return page.title + page.body + page.data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace artcal;
@@ -22,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   // Twice: results of one arm over time.
-  const auto page = report_html({*result, *result});
+  const auto page = report_html({*result, *result}, Scripts::SharedPlots);
   if (!page) {
     fuzzing::require_sentence(page.error());
   }

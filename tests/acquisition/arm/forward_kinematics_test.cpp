@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "core/random.h"
-#include "tests/support/allocations.h"
 #include "tests/support/forward_kinematics.h"
 #include "tests/support/random_arm.h"
+#include "tests/support/sanitizers/allocations.h"
 
 namespace artcal {
 namespace {

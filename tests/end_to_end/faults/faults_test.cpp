@@ -8,7 +8,7 @@
 
 #include "acquisition/recording/recording_file.h"
 #include "tests/end_to_end/archive.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/sanitizers/sanitized.h"
 
 namespace artcal {
 namespace {

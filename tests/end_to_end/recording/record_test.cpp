@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/end_to_end/program.h"
-#include "tests/support/sanitized.h"
+#include "tests/support/sanitizers/sanitized.h"
 
 namespace artcal {
 namespace {

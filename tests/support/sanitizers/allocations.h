@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdlib>
 
-#include "tests/support/sanitized.h"
+#include "tests/support/sanitizers/sanitized.h"
 
 /// Counts calls of malloc, those of operator new and of Eigen included, in the one test program whose
 /// one source file includes this. Sanitizers bring their own malloc; there `counts_allocations` is false.
