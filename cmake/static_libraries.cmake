@@ -1,5 +1,5 @@
 # Loading 36 shared libraries and binding their symbols was most of what a start of the program took (docs/benchmarks.md,
-# "Starting the program"), 15 of them for the logging and the sparse solvers of Ceres. Libraries of which Debian has a static
+# "Starting the program"), half of them for the logging and the sparse solvers of Ceres. Libraries of which Debian has a static
 # one beside the shared one are linked statically. Not for Python: a shared library takes position-independent code only.
 
 function(artcal_link_statically target)

@@ -8,8 +8,7 @@
 namespace artcal {
 namespace {
 
-// OpenSSL's SHA256() looks the algorithm up anew each time, which takes longer than a short text. None where it cannot
-// be found: then OpenSSL says so by itself.
+// SHA256() and EVP_sha256() of OpenSSL look the algorithm up anew each time, which takes longer than a short text.
 const EVP_MD* algorithm() {
   static const EVP_MD* const found = EVP_MD_fetch(nullptr, "SHA256", nullptr);  // until the process ends
   return found != nullptr ? found : EVP_sha256();

@@ -281,7 +281,8 @@ std::optional<Fitted<Sphere>> fit_plain_sphere(const Points& points, const FitOp
   fitted.noise = options.noise.value_or(std::sqrt(residuals.dd / fitted.degrees_of_freedom));
   fitted.covariance = *fitted.noise * *fitted.noise * bottom->inverse;
   fitted.steps = bottom->steps;
-  // Far from told, wildly scattered, or told by what may be scatter alone (on_one_circle() in sphere.cpp): not plain.
+  // Hardly determined, wildly scattered, or determined by what may be scatter (on_one_circle() in sphere.cpp): not
+  // plain.
   constexpr double sure = 3.0;
   const double scatter = *fitted.noise / fitted.feature.radius;
   const bool is_sure = sure * sure * scatter * scatter * count * bottom->inverse.norm() < 1.0;

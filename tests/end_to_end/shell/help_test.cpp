@@ -56,8 +56,8 @@ TEST_F(Help, EveryExampleOfEveryCommandRuns) {
       std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
       arguments.erase(arguments.begin());
       if (const auto rate = std::find(arguments.begin(), arguments.end(), "--rate"); rate != arguments.end()) {
-        *std::next(rate) =
-            "1000";  // two readings a second for as long as an operator takes: nobody waits for that here
+        // Two readings a second for as long as an operator takes: nobody waits for that here.
+        *std::next(rate) = "1000";
       }
       const Ended ended = run(arguments);
       EXPECT_EQ(ended.exit_code, 0) << line << "\n" << ended.err;
